@@ -1,0 +1,28 @@
+// Loading one plugin library. A library stays loaded until the process ends: pointers into it never dangle.
+#pragma once
+
+#include <pmreport/plugin.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace pmreport::host {
+
+// A library that cannot be used: the sentence has its path, what was expected and what was seen.
+class PluginError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct PluginFile {
+  std::filesystem::path path;
+  const pm_plugin_table* table;
+  std::vector<const pm_mechanism*> mechanisms;
+};
+
+// Loads and checks `path`: a shared library, the symbol, ABI, struct sizes, no null function, sane names. Does not make an instance.
+PluginFile load_plugin(const std::filesystem::path& path);
+
+}  // namespace pmreport::host

@@ -1,0 +1,17 @@
+// The one form of every sentence that refuses a plugin.
+#pragma once
+
+#include <core/host/plugin_file.hpp>
+#include <string_view>
+
+namespace pmreport::host {
+
+// Throws PluginError: "where: expected ..., seen ...; advice", on one line.
+[[noreturn]] void refuse(std::string_view where, std::string_view expected, std::string_view seen, std::string_view advice);
+
+// `text` in quotes, cut to a few words, with every byte that could break the line or the terminal written as \xNN. A null pointer:
+// "nothing".
+std::string quoted(const char* text);
+std::string quoted(std::string_view text);
+
+}  // namespace pmreport::host

@@ -1,0 +1,22 @@
+// Names, units and groups of the output columns of each section: the one list that checks, CSV files, plots and tables share.
+#pragma once
+
+#include <pmreport/topology.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pmreport::mechanics {
+
+struct Column {
+  std::string name;   // "l1_force"
+  std::string unit;   // SI: "N"
+  std::string group;  // "actuator_force": a check may name the whole group
+  std::string title;  // "force of l1"
+};
+
+// Sections that have columns: "displacement", "velocity", "acceleration", "statics". Others: empty. Time is not listed: it is always first.
+std::vector<Column> columns_of(std::string_view section, const Topology& topology);
+std::vector<std::string> sections_with_columns();
+
+}  // namespace pmreport::mechanics

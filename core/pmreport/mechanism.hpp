@@ -1,0 +1,264 @@
+// What the author of a mechanism derives from, and the macro that exports it.
+//
+//   class MyMechanism : public pmreport::Mechanism<5> {                       // 5 degrees of freedom
+//    public:
+//     static constexpr const char *name = "my-mechanism", *title = "...", *source = "...";
+//     static constexpr pmreport::Parameter parameters[] = {...};
+//     explicit MyMechanism(const pmreport::Parameters&);                       // throw std::invalid_argument with a sentence for the user
+//     pmreport::Topology topology() const;                                     // what is connected to what
+//     template <class T> void place(const Coordinates<T>&, pmreport::Placement<T>&) const;           // where everything is
+//     template <class T> pmreport::Matrix6<T> jacobian(const pmreport::Placement<T>&) const;         // what carries the load
+//   };
+//   PMREPORT_PLUGIN(MyMechanism)                                               // or several: PMREPORT_PLUGIN(One, Another)
+//
+// `place` and `jacobian` are instantiated for every scalar; see scalar.hpp for what may be done with one, plugin.h for what the numbers
+// mean.
+#pragma once
+
+#include <pmreport/plugin.h>
+#include <pmreport/parameter.hpp>
+#include <pmreport/placement.hpp>
+#include <pmreport/rotation.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace pmreport {
+
+template <int Dof>
+class Mechanism {
+ public:
+  static constexpr int dof = Dof;
+  template <class T>
+  using Coordinates = std::array<T, static_cast<std::size_t>(Dof)>;
+};
+
+namespace contract {  // the plugin's side of the hourglass
+
+inline void say(pm_text* text, const char* sentence) noexcept {
+  if (text != nullptr && text->data != nullptr && text->capacity > 0) std::snprintf(text->data, text->capacity, "%s", sentence);
+}
+
+// Runs `f` and turns every exception into a status and a sentence: none may cross.
+template <class F>
+pm_status guard(pm_text* text, F&& f) noexcept {
+  try {
+    return f();
+  } catch (const std::invalid_argument& e) {
+    say(text, e.what());
+    return PM_BAD_ARGUMENT;
+  } catch (const std::exception& e) {
+    say(text, e.what());
+    return PM_FAILED;
+  } catch (...) {
+    say(text, "an exception that is not a std::exception");
+    return PM_FAILED;
+  }
+}
+
+template <class T>
+pm_list list(const std::vector<T>& items) {
+  return {items.data(), items.size(), sizeof(T)};
+}
+
+// A mechanism with all that it declared, in the contract's structs.
+template <class M>
+struct Instance {
+  M mechanism;
+  Topology topology;
+  Layout layout;
+  std::vector<pm_coordinate> coordinates;
+  std::vector<pm_body> bodies;
+  std::vector<pm_joint> joints;
+  std::vector<pm_actuator> actuators;
+  std::vector<pm_derived> derived;
+  std::vector<pm_constraint> constraints;
+  std::vector<pm_inertia> inertias;
+  std::vector<pm_shape> shapes;
+
+  explicit Instance(const Parameters& p) : mechanism(p), topology(mechanism.topology()), layout(topology) {
+    const Topology& t = topology;
+    for (const auto& c : t.coordinates)
+      coordinates.push_back({c.name.c_str(), c.title.c_str(), c.unit.c_str(), c.home, c.box.min, c.box.max});
+    for (const auto& b : t.bodies) {
+      bodies.push_back({b.name.c_str(), b.slender ? 1 : 0, b.limb});
+      pm_inertia i{b.inertia.mass, {}, {}};
+      for (int r = 0; r < 3; ++r) {
+        i.centre[r] = b.inertia.centre(r);
+        for (int c = 0; c < 3; ++c) i.inertia[3 * r + c] = b.inertia.about_centre(r, c);
+      }
+      inertias.push_back(i);
+    }
+    for (const auto& j : t.joints) {
+      pm_joint o{
+          j.name.c_str(), static_cast<pm_joint_kind>(j.kind), j.a, j.b, {}, {}, j.stud >= 0 ? j.stud : j.b == t.platform ? j.a : j.b};
+      const double free = j.kind == JointKind::prismatic ? 10.0 : std::numbers::pi;
+      for (std::size_t k = 0; k < 2; ++k) {
+        o.min[k] = k < j.limits.size() ? j.limits[k].min : j.kind == JointKind::spherical ? 0.0 : -free;
+        o.max[k] = k < j.limits.size() ? j.limits[k].max : free;
+      }
+      joints.push_back(o);
+    }
+    for (const auto& a : t.actuators)
+      actuators.push_back({a.name.c_str(), a.title.c_str(), a.unit.c_str(), a.joint, a.stroke.min, a.stroke.max});
+    for (const auto& d : t.derived) derived.push_back({d.name.c_str(), d.title.c_str(), d.unit.c_str(), d.dependent ? 1 : 0});
+    for (const auto& c : t.constraints) constraints.push_back({c.name.c_str(), c.title.c_str(), c.unit.c_str()});
+    for (const auto& s : t.shapes) {
+      pm_shape o{s.body, static_cast<pm_shape_kind>(s.kind), {}, {}, s.radius};
+      for (int k = 0; k < 3; ++k) o.a[k] = s.a(k), o.b[k] = s.b(k);
+      shapes.push_back(o);
+    }
+  }
+};
+
+// Reads coordinate i of pose k. Partials are seeded here; every other scalar comes whole from the host.
+template <class T>
+struct Coordinate {
+  static T load(const double* in, std::size_t i, std::size_t count, std::size_t k) {
+    return Codec<T>::load(in + i * Codec<T>::components * count + k, count);
+  }
+};
+template <class S, int M>
+struct Coordinate<Partials<S, M>> {
+  static Partials<S, M> load(const double* in, std::size_t i, std::size_t count, std::size_t k) {
+    return Partials<S, M>::variable(Codec<S>::load(in + i * count + k, count), static_cast<int>(i));
+  }
+};
+
+// The functions of the contract for mechanism M.
+template <class M>
+struct Functions {
+  using Self = Instance<M>;
+  static const Self& self(const pm_instance* p) { return *reinterpret_cast<const Self*>(p); }
+
+  static pm_status create(const pm_value* values, std::size_t count, pm_instance** out, pm_text* text) noexcept {
+    return guard(text, [&] {
+      if (count != std::size(M::parameters)) throw std::invalid_argument("the number of values differs from the number of parameters");
+      *out = reinterpret_cast<pm_instance*>(new Self(Parameters(M::parameters, {values, count})));
+      return PM_OK;
+    });
+  }
+  static void destroy(pm_instance* p) noexcept { delete reinterpret_cast<Self*>(p); }
+
+  static pm_status topology(const pm_instance* p, pm_topology* out, pm_text* text) noexcept {
+    return guard(text, [&] {
+      const Self& s = self(p);
+      *out = {sizeof(pm_topology), list(s.coordinates), list(s.bodies),      list(s.joints),
+              list(s.actuators),   list(s.derived),     s.topology.platform, s.topology.idle};
+      return PM_OK;
+    });
+  }
+  template <auto member>
+  static pm_status listing(const pm_instance* p, pm_list* out, pm_text* text) noexcept {
+    return guard(text, [&] { return *out = list(self(p).*member), PM_OK; });
+  }
+
+  // Calls f<T>(k) for every pose: in lanes as far as the poses fill them; the last group reaches back over poses already done.
+  template <class Single, class Wide, class F>
+  static pm_status sweep(std::size_t count, F&& f) {
+    constexpr std::size_t width = Lanes::width;
+    if (count >= width && count > 1) {
+      for (std::size_t k = 0; k + width <= count; k += width) f.template operator()<Wide>(k);
+      if (count % width != 0) f.template operator()<Wide>(count - width);
+    } else {
+      for (std::size_t k = 0; k < count; ++k) f.template operator()<Single>(k);
+    }
+    return PM_OK;
+  }
+  template <class F>
+  static pm_status in_order(pm_order order, std::size_t count, F&& f) {
+    switch (order) {
+      case PM_VALUE:
+        return sweep<double, Lanes>(count, f);
+      case PM_JET:
+        return sweep<Jet<double>, Jet<Lanes>>(count, f);
+      case PM_PARTIALS:
+        return sweep<Partials<double, M::dof>, Partials<Lanes, M::dof>>(count, f);
+      case PM_EXTENDED:
+        for (std::size_t k = 0; k < count; ++k) f.template operator()<long double>(k);
+        return PM_OK;
+      default:
+        throw std::invalid_argument("unknown order of scalars");
+    }
+  }
+
+  static pm_status place(const pm_instance* p, pm_order order, std::size_t count, const double* in, double* out, pm_text* text) noexcept {
+    return guard(text, [&] {
+      const Self& s = self(p);
+      const char* why = nullptr;
+      in_order(order, count, [&]<class T>(std::size_t k) {
+        typename M::template Coordinates<T> q;
+        for (std::size_t i = 0; i < q.size(); ++i) q[i] = Coordinate<T>::load(in, i, count, k);
+        Placement<T> at(out + k, count, s.layout);
+        s.mechanism.place(q, at);
+        why = at.why();
+      });
+      if (count != 1 || out[0] >= 0) return PM_OK;
+      say(text, why != nullptr ? why : "out of reach");
+      return PM_UNREACHABLE;
+    });
+  }
+  static pm_status jacobian(const pm_instance* p, pm_order order, std::size_t count, const double* in, double* out,
+                            pm_text* text) noexcept {
+    return guard(text, [&] {
+      const Self& s = self(p);
+      return in_order(order, count, [&]<class T>(std::size_t k) {
+        const Placement<T> at(in + k, count, s.layout);
+        const Matrix6<T> g = s.mechanism.jacobian(at);
+        for (std::size_t e = 0; e < 36; ++e)
+          Codec<T>::store(out + e * Codec<T>::components * count + k, count, g(static_cast<int>(e / 6), static_cast<int>(e % 6)));
+      });
+    });
+  }
+};
+
+template <class M>
+inline constexpr auto parameter_infos = [] {
+  std::array<pm_parameter, std::size(M::parameters)> out{};
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = info(M::parameters[i]);
+  return out;
+}();
+
+template <class M>
+inline constexpr pm_kinematics kinematics{sizeof(pm_kinematics), Functions<M>::topology, Functions<M>::place};
+template <class M>
+inline constexpr pm_statics statics{sizeof(pm_statics), Functions<M>::template listing<&Instance<M>::constraints>, Functions<M>::jacobian};
+template <class M>
+inline constexpr pm_dynamics dynamics{sizeof(pm_dynamics), Functions<M>::template listing<&Instance<M>::inertias>};
+template <class M>
+inline constexpr pm_appearance appearance{sizeof(pm_appearance), Functions<M>::template listing<&Instance<M>::shapes>};
+
+template <class M>
+inline constexpr pm_mechanism mechanism{sizeof(pm_mechanism),
+                                        M::name,
+                                        M::title,
+                                        M::source,
+                                        M::dof,
+                                        {parameter_infos<M>.data(), parameter_infos<M>.size(), sizeof(pm_parameter)},
+                                        Functions<M>::create,
+                                        Functions<M>::destroy,
+                                        &kinematics<M>,
+                                        &statics<M>,
+                                        &dynamics<M>,
+                                        &appearance<M>};
+
+template <class... M>
+inline constexpr std::array<const pm_mechanism*, sizeof...(M)> mechanisms{&mechanism<M>...};
+
+}  // namespace contract
+}  // namespace pmreport
+
+// Exports the mechanisms of this library: its only visible symbol.
+#define PMREPORT_PLUGIN(...)                                                                      \
+  extern "C" __attribute__((visibility("default"))) constinit const pm_plugin_table pm_plugin = { \
+      sizeof(pm_plugin_table),                                                                    \
+      PM_ABI_MAJOR,                                                                               \
+      PM_ABI_MINOR,                                                                               \
+      "C++ " __VERSION__,                                                                         \
+      pmreport::contract::mechanisms<__VA_ARGS__>.size(),                                         \
+      pmreport::contract::mechanisms<__VA_ARGS__>.data()};

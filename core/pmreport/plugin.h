@@ -1,0 +1,252 @@
+/* The contract between pmreport and a mechanism plugin, in plain C (C11 and C++20).
+ *
+ * A plugin is a shared library that exports one constant data symbol, `pm_plugin`. Everything else is reached through it. The host and the
+ * plugin may be built by other compilers, with other vector flags or under sanitizers: no C++ object and no exception crosses.
+ *
+ * Rules that hold for every function below
+ *   - Units are SI and radians. Matrices are row-major. Axes are the base's unless said otherwise.
+ *   - Arrays of numbers belong to the host; their sizes follow from the topology. Strings and lists belong to the plugin and live as long
+ * as the instance they were asked of (the plugin's own tables: as long as the process).
+ *   - No function throws, calls setlocale, prints, or keeps state: an instance is immutable after `create`, so threads may share it.
+ *   - A function that does not return PM_OK may leave a sentence in `message`.
+ *
+ * Versions. `abi_major` of host and plugin must be equal. Structs only grow at their end: a reader looks at `struct_size`, or at `stride`
+ * of the list, before it reads a later member.
+ */
+#ifndef PMREPORT_PLUGIN_H
+#define PMREPORT_PLUGIN_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define PM_ABI_MAJOR 1u
+#define PM_ABI_MINOR 0u
+
+/* ---- Vocabulary ------------------------------------------------------------------------------------------------------------------- */
+
+typedef int32_t pm_status;
+enum {
+  PM_OK = 0,
+  PM_UNREACHABLE = 1,  /* the mechanism cannot be assembled at these coordinates */
+  PM_SINGULAR = 2,     /* it can, but what was asked for has no unique answer there */
+  PM_BAD_ARGUMENT = 3, /* the caller's mistake: a parameter out of range, a wrong size */
+  PM_FAILED = 4        /* the plugin's mistake, an exception for one */
+};
+
+/* A sentence from plugin to host: the plugin writes at most `capacity` bytes, the closing zero included. May be NULL. */
+typedef struct pm_text {
+  char* data;
+  size_t capacity;
+} pm_text;
+
+/* `count` items, each `stride` bytes after the one before. */
+typedef struct pm_list {
+  const void* items;
+  size_t count;
+  size_t stride;
+} pm_list;
+
+typedef struct pm_instance pm_instance; /* one mechanism with its parameters; opaque to the host */
+
+/* ---- What can be set -------------------------------------------------------------------------------------------------------------- */
+
+typedef int32_t pm_parameter_kind;
+enum {
+  PM_NUMBER = 0,  /* one number with a unit */
+  PM_NUMBERS = 1, /* count_min to count_max numbers with a unit; points are given as x y z x y z ... */
+  PM_CHOICE = 2   /* one of `choices`, passed as its index */
+};
+
+typedef struct pm_parameter {
+  const char* name;    /* as written in a scenario: lower case, digits, underscores */
+  const char* title;   /* a few words for a table */
+  const char* unit;    /* SI, "m", "rad", "kg*m^2"; "" for a plain number */
+  const char* display; /* the unit that a reader expects, "mm", "deg" */
+  pm_parameter_kind kind;
+  const double* defaults;
+  size_t default_count;
+  double min, max; /* of every number, inclusive */
+  size_t count_min, count_max;
+  const char* const* choices;
+  size_t choice_count;
+} pm_parameter;
+
+typedef struct pm_value { /* the value of one parameter; the host passes all of them, in the order of the list, defaults filled in */
+  const double* numbers;
+  size_t count;
+} pm_value;
+
+/* ---- What is connected to what ---------------------------------------------------------------------------------------------------- */
+
+typedef struct pm_coordinate { /* an independent coordinate of the platform */
+  const char* name;
+  const char* title;
+  const char* unit; /* "m" or "rad" */
+  double home;      /* the home pose must be assemblable and regular */
+  double min, max;  /* a sane box around home, in which random poses are tried */
+} pm_coordinate;
+
+/* Body 0 is the base and stands in the list too. */
+typedef struct pm_body {
+  const char* name;
+  int32_t slender; /* 1: a leg that may spin freely about its own z axis. Its spin is taken as zero, its joints lie on that axis, its
+                      inertia is axisymmetric. Placed by origin and axis alone. */
+  int32_t limb;    /* 1, 2, ...; 0 for base and platform */
+} pm_body;
+
+typedef int32_t pm_joint_kind;
+enum {
+  PM_REVOLUTE = 0,   /* rotation about axis 1 */
+  PM_PRISMATIC = 1,  /* translation along axis 1 */
+  PM_UNIVERSAL = 2,  /* rotations about axis 1, fixed in body a, and axis 2, fixed in body b */
+  PM_SPHERICAL = 3,  /* three rotations; no axis */
+  PM_CYLINDRICAL = 4 /* rotation about and translation along axis 1 */
+};
+
+typedef struct pm_joint {
+  const char* name; /* as in the paper's drawing: "A1", "B1" */
+  pm_joint_kind kind;
+  int32_t a, b; /* bodies; motion is that of b relative to a */
+  /* Limits, each from min to max, of: the angle from home [rad] (revolute; universal, both axes; cylindrical), the travel from home [m]
+     (prismatic), the angle [rad] between the z axis of body `stud` and its home direction in the other body (spherical). */
+  double min[2], max[2];
+  int32_t stud;
+} pm_joint;
+
+typedef struct pm_actuator {
+  const char* name;
+  const char* title;
+  const char*
+      unit; /* "m": displacement along axis 1 of the joint; "rad": rotation about axis 1. Positive: b moves along +axis relative to a */
+  int32_t joint;
+  double min, max; /* stroke */
+} pm_actuator;
+
+typedef struct pm_derived { /* a quantity that follows from the coordinates */
+  const char* name;
+  const char* title;
+  const char* unit;
+  int32_t dependent; /* 1: a dependent (parasitic) coordinate of the platform; 0: any other quantity of interest */
+} pm_derived;
+
+typedef struct pm_topology {
+  size_t struct_size;
+  pm_list coordinates; /* pm_coordinate, as many as degrees of freedom */
+  pm_list bodies;      /* pm_body */
+  pm_list joints;      /* pm_joint */
+  pm_list actuators;   /* pm_actuator, as many as degrees of freedom */
+  pm_list derived;     /* pm_derived */
+  int32_t platform;    /* body that carries the load; its origin is the reference point */
+  int32_t idle;        /* idle freedoms: spins of legs that move nothing else */
+} pm_topology;
+
+/* ---- KINEMATICS: where everything is ---------------------------------------------------------------------------------------------- */
+
+/* A placement is a row of scalars: reach; then for each body but the base, origin (3) and rotation (9, row-major, body to base axes), or
+   for a slender body origin (3) and axis (3); then for each joint centre (3) and its axes (3 each: revolute, prismatic, cylindrical 1,
+   universal 2, spherical 0); then each actuator's value; then each derived quantity. `reach` is a margin: negative where the pose cannot be
+   assembled, and what follows means nothing then.
+
+   `order` tells what each scalar is made of; component c of scalar s of pose k stands at [(s * components + c) * count + k]. */
+typedef int32_t pm_order;
+enum {
+  PM_VALUE = 0,    /* 1 component */
+  PM_JET = 1,      /* 3: value, rate, acceleration in time; coordinates come with theirs */
+  PM_PARTIALS = 2, /* 1 + dof: value and its derivatives by the independent coordinates; coordinates come as plain values */
+  PM_EXTENDED = 3  /* 2: high and low part, whose sum is the value in extended precision; coordinates likewise */
+};
+
+typedef struct pm_kinematics {
+  size_t struct_size;
+  pm_status (*topology)(const pm_instance*, pm_topology* out, pm_text* message);
+  /* With count > 1 the status is PM_OK even when poses are out of reach: look at each one's `reach`. */
+  pm_status (*place)(const pm_instance*, pm_order order, size_t count, const double* coordinates, double* placement, pm_text* message);
+} pm_kinematics;
+
+/* ---- STATICS: what carries the load ----------------------------------------------------------------------------------------------- */
+
+typedef struct pm_constraint { /* a row of the overall Jacobian below the actuators: a constraint wrench of the limbs on the platform */
+  const char* name;
+  const char* title;
+  const char* unit; /* of its magnitude: "N" or "N*m" */
+} pm_constraint;
+
+typedef struct pm_statics {
+  size_t struct_size;
+  pm_status (*constraints)(const pm_instance*, pm_list* out, pm_text* message); /* 6 - dof of pm_constraint */
+  /* The overall Jacobian G (6 x 6) of a placement (same order and count, same layout rule): G * twist = (actuator rates, 0), twist =
+     (velocity of the platform's reference point; angular velocity). Row i is also the unit wrench (force; moment about the reference point)
+     that actuator i, or constraint i, applies to the platform of a massless mechanism. */
+  pm_status (*jacobian)(const pm_instance*, pm_order order, size_t count, const double* placement, double* jacobian, pm_text* message);
+} pm_statics;
+
+/* ---- DYNAMICS: what has mass ------------------------------------------------------------------------------------------------------ */
+
+typedef struct pm_inertia { /* of one body, in the order of the bodies */
+  double mass;              /* [kg] */
+  double centre[3];         /* centre of mass in body axes, from the body's origin [m] */
+  double inertia[9];        /* about the centre of mass, body axes [kg m^2] */
+} pm_inertia;
+
+typedef struct pm_dynamics {
+  size_t struct_size;
+  pm_status (*inertias)(const pm_instance*, pm_list* out, pm_text* message);
+} pm_dynamics;
+
+/* ---- How it looks ----------------------------------------------------------------------------------------------------------------- */
+
+typedef int32_t pm_shape_kind;
+enum {
+  PM_CYLINDER = 0, /* from a to b with `radius` */
+  PM_BALL = 1,     /* at a with `radius` */
+  PM_BOX = 2       /* centre a, half edge lengths b */
+};
+
+/* A solid fixed to a body, in body axes. A body without shapes is drawn from its joints: two joints a rod, more a plate. */
+typedef struct pm_shape {
+  int32_t body;
+  pm_shape_kind kind;
+  double a[3], b[3];
+  double radius;
+} pm_shape;
+
+typedef struct pm_appearance {
+  size_t struct_size;
+  pm_status (*shapes)(const pm_instance*, pm_list* out, pm_text* message);
+} pm_appearance;
+
+/* ---- The exported table ----------------------------------------------------------------------------------------------------------- */
+
+typedef struct pm_mechanism {
+  size_t struct_size;
+  const char* name;   /* as written in a scenario: "4sps-spr" */
+  const char* title;  /* one line */
+  const char* source; /* the paper */
+  int32_t dof;
+  pm_list parameters; /* pm_parameter */
+  pm_status (*create)(const pm_value* values, size_t count, pm_instance** out, pm_text* message);
+  void (*destroy)(pm_instance*);
+  const pm_kinematics* kinematics;
+  const pm_statics* statics;
+  const pm_dynamics* dynamics;
+  const pm_appearance* appearance; /* may be NULL */
+} pm_mechanism;
+
+typedef struct pm_plugin_table {
+  size_t struct_size;
+  uint32_t abi_major, abi_minor;
+  const char* build; /* compiler and flags, for the report's provenance */
+  size_t mechanism_count;
+  const pm_mechanism* const* mechanisms;
+} pm_plugin_table;
+
+#define PM_PLUGIN_SYMBOL "pm_plugin" /* the name of the exported `const pm_plugin_table` */
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,141 @@
+// What is connected to what: bodies, joints, actuators, coordinates. An author fills one in; the host reads the same struct.
+#pragma once
+
+#include <pmreport/plugin.h>
+
+#include <Eigen/Core>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace pmreport {
+
+enum class JointKind {
+  revolute = PM_REVOLUTE,
+  prismatic = PM_PRISMATIC,
+  universal = PM_UNIVERSAL,
+  spherical = PM_SPHERICAL,
+  cylindrical = PM_CYLINDRICAL
+};
+enum class ShapeKind { cylinder = PM_CYLINDER, ball = PM_BALL, box = PM_BOX };
+
+// Number of axes that a joint shows in a placement, and of relative freedoms that it allows.
+constexpr int axes_of(JointKind k) { return k == JointKind::universal ? 2 : k == JointKind::spherical ? 0 : 1; }
+constexpr int freedoms_of(JointKind k) {
+  return k == JointKind::spherical ? 3 : (k == JointKind::universal || k == JointKind::cylindrical) ? 2 : 1;
+}
+
+struct Range {
+  double min, max;
+};
+
+struct Coordinate {               // independent coordinate of the platform
+  std::string name, title, unit;  // unit: "m" or "rad"
+  double home = 0;
+  Range box{-0.1, 0.1};  // sane values around home, for random poses
+};
+
+struct Inertia {
+  double mass = 0;                                         // [kg]
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();        // centre of mass from the body's origin, body axes [m]
+  Eigen::Matrix3d about_centre = Eigen::Matrix3d::Zero();  // body axes [kg m^2]
+
+  // A body of revolution about its z axis, its centre of mass at height `z`.
+  static Inertia axisymmetric(double mass, double z, double transverse, double axial) {
+    return {mass, {0, 0, z}, Eigen::Vector3d(transverse, transverse, axial).asDiagonal()};
+  }
+};
+
+struct Body {
+  std::string name;
+  int limb = 0;          // 1, 2, ...; 0 for base and platform
+  bool slender = false;  // a leg that may spin freely about its own z axis; see plugin.h
+  Inertia inertia;
+};
+
+struct Joint {
+  std::string name;
+  JointKind kind = JointKind::spherical;
+  int a = 0, b = 0;  // bodies; motion is that of b relative to a
+  std::vector<Range>
+      limits;     // two for a universal joint, else one; meaning by kind, see plugin.h. Left empty: half a turn (or 10 m) either way
+  int stud = -1;  // spherical: the body whose z axis the limit follows. Left at -1: b, or a where b is the platform
+};
+
+struct Actuator {
+  std::string name, title, unit;  // "m" or "rad"
+  int joint = 0;
+  Range stroke{0, 0};
+};
+
+struct Derived {
+  std::string name, title, unit;
+  bool dependent = false;  // a dependent (parasitic) coordinate of the platform
+};
+
+struct Constraint {               // constraint wrench of the limbs on the platform: a row of the overall Jacobian below the actuators
+  std::string name, title, unit;  // "N" or "N*m"
+};
+
+struct Shape {
+  int body = 0;
+  ShapeKind kind = ShapeKind::cylinder;
+  Eigen::Vector3d a = Eigen::Vector3d::Zero(), b = Eigen::Vector3d::Zero();  // body axes [m]; see plugin.h
+  double radius = 0;                                                         // [m]
+};
+
+struct Topology {
+  std::vector<Coordinate> coordinates;
+  std::vector<Body> bodies{Body{"base", 0, false, {}}};
+  std::vector<Joint> joints;
+  std::vector<Actuator> actuators;
+  std::vector<Derived> derived;
+  std::vector<Constraint> constraints;
+  std::vector<Shape> shapes;
+  int platform = 0;
+  int idle = 0;  // idle freedoms: spins of legs that move nothing else
+
+  int add(Body x) { return push(bodies, std::move(x)); }
+  int add(Joint x) { return push(joints, std::move(x)); }
+  int add(Actuator x) { return push(actuators, std::move(x)); }
+
+ private:
+  template <class T>
+  static int push(std::vector<T>& list, T x) {
+    list.push_back(std::move(x));
+    return static_cast<int>(list.size()) - 1;
+  }
+};
+
+// Where each scalar of a placement stands (the rule is in plugin.h).
+class Layout {
+ public:
+  Layout() = default;
+  explicit Layout(const Topology& t) {
+    std::size_t next = 1;  // 0 is the reach
+    bodies_.push_back(0);
+    for (std::size_t i = 1; i < t.bodies.size(); ++i) {
+      bodies_.push_back(next);
+      next += t.bodies[i].slender ? 6 : 12;
+    }
+    for (const Joint& j : t.joints) {
+      joints_.push_back(next);
+      next += 3 + 3 * static_cast<std::size_t>(axes_of(j.kind));
+    }
+    actuators_ = next;
+    derived_ = actuators_ + t.actuators.size();
+    size_ = derived_ + t.derived.size();
+  }
+  std::size_t body(int i) const { return bodies_[static_cast<std::size_t>(i)]; }
+  std::size_t joint(int i) const { return joints_[static_cast<std::size_t>(i)]; }
+  std::size_t actuator(int i) const { return actuators_ + static_cast<std::size_t>(i); }
+  std::size_t derived(int i) const { return derived_ + static_cast<std::size_t>(i); }
+  std::size_t size() const { return size_; }
+
+ private:
+  std::vector<std::size_t> bodies_, joints_;
+  std::size_t actuators_ = 0, derived_ = 0, size_ = 0;
+};
+
+}  // namespace pmreport
