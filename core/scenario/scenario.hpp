@@ -39,7 +39,7 @@ struct Motion {
 
 struct Load {  // wrench on the platform at its reference point, base axes, at every sample
   std::vector<Eigen::Vector3d> force, moment;       // [N], [N m]
-  Eigen::Vector3d gravity{0, 0, -9.81};             // [m/s^2]
+  Eigen::Vector3d gravity{0, 0, 0};                 // [m/s^2]; none unless the scenario gives it: the bodies are weightless then
   std::string description;
 };
 

@@ -1,0 +1,33 @@
+// Files written so that every failure is seen, and told with what to do.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+namespace pmreport::document {
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number = -1) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  ~Descriptor();
+  int number() const { return number_; }
+  bool close();  // false: the file system refused late, as a network one may
+
+ private:
+  int number_;
+};
+
+// Throws OutputError: "cannot DEED PATH: No space left on device. Free some space, ..."
+[[noreturn]] void fail(const char* deed, const std::filesystem::path& path, int error);
+
+void write_new_file(const std::filesystem::path& path, std::string_view bytes);  // on the disk when it returns
+void make_folder(const std::filesystem::path& path);
+void sync_folder(const std::filesystem::path& path);  // its list of names is on the disk when it returns
+
+}  // namespace pmreport::document

@@ -1,0 +1,73 @@
+// How the report looks: its few kinds of text, its colours, and plain strings made safe for Pango and for a reader.
+#pragma once
+
+#include <reports/document/pdf_page.hpp>
+#include <reports/figure/text.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pmreport::document::pdf {
+
+struct Colour {
+  double r, g, b;
+};
+inline constexpr Colour ink{0.10, 0.11, 0.13}, grey{0.40, 0.42, 0.45}, hairline{0.72, 0.74, 0.77};
+inline constexpr Colour good{0.05, 0.42, 0.25}, bad{0.72, 0.11, 0.11}, caution{0.80, 0.45, 0.00}, accent{0.10, 0.32, 0.55};
+
+struct Style {
+  figure::Font font;
+  double pitch;  // from baseline to baseline [pt]
+  Colour colour = ink;
+};
+inline constexpr Style body{{.size = 9.25}, 13.6};
+inline constexpr Style secondary{{.size = 8.5}, 12.2, grey};
+inline constexpr Style caption{{.size = 8.5}, 12};
+inline constexpr Style heading{{.size = 14, .bold = true}, 20};
+inline constexpr Style subheading{{.size = 10.5, .bold = true}, 15};
+inline constexpr Style title{{.size = 20, .bold = true}, 27};
+inline constexpr Style listing{{.size = 7.6, .mono = true}, 10.6};
+
+void set_colour(cairo_t* cr, const Colour& c);
+
+// Any bytes made valid UTF-8 that only prints: what is not is shown as U+FFFD, and so are controls and the marks that reorder text. Newlines
+// stay in `clean`; `clean_line` makes spaces of them.
+std::string clean(const std::string& untrusted);
+std::string clean_line(const std::string& untrusted);
+
+// The same as Pango markup: clean, escaped.
+std::string markup(const std::string& untrusted);
+std::string markup_line(const std::string& untrusted);
+std::string coloured(const std::string& markup, const Colour& c);
+
+// A figure as people write it: "2.1 × 10⁻¹⁵", "0.35", "∞", "not computed" for NaN.
+std::string number(double value, int digits);
+// As `number` with two digits, or as many more as it takes to see on which side of `bound` the value is.
+std::string number_beside(double value, double bound);
+
+// A text set in lines of equal pitch, wrapped at `width`.
+class Lines {
+ public:
+  Lines(cairo_t* cr, const std::string& markup, const Style& style, double width);
+  int count() const { return static_cast<int>(lines_.size()); }
+  double height() const { return count() * style_.pitch; }          // [pt]
+  void draw_line(cairo_t* cr, int line, double x, double y) const;  // (x, y): top left corner of the line
+  void draw(cairo_t* cr, double x, double y) const;
+
+ private:
+  struct Line {
+    PangoLayoutLine* line;
+    double x;  // [pt]
+  };
+  std::shared_ptr<figure::Text> text_;
+  std::vector<Line> lines_;
+  Style style_;
+};
+
+// Width that a single line of markup takes [pt].
+double width_of(cairo_t* cr, const std::string& markup, const figure::Font& font);
+
+void rule(cairo_t* cr, double x, double y, double length, double thickness, const Colour& c);
+
+}  // namespace pmreport::document::pdf

@@ -1,0 +1,18 @@
+// Text that anybody may have typed, made fit for a file format.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace pmreport::document {
+
+// Valid UTF-8 without control characters (tab and line ends stay): what XML 1.0 and HTML both allow. A byte that is no UTF-8 becomes
+// U+FFFD.
+std::string clean(std::string_view raw);
+
+// Cleaned, with & < > " ' as entities: fit for the content and the quoted attributes of HTML and XML.
+std::string escape(std::string_view raw);
+
+std::string base64(std::string_view bytes);
+
+}  // namespace pmreport::document

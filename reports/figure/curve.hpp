@@ -1,0 +1,45 @@
+// From samples to strokes of the pen: gaps lifted, spikes cut at the frame, points that nobody could see left out.
+#pragma once
+
+#include <vector>
+
+#include "reports/figure/axis.hpp"
+#include "reports/figure/geometry.hpp"
+
+namespace pmreport::figure {
+
+using Stroke = std::vector<Point>;  // at least two points
+
+// Where a curve leaves the frame: the mark drawn there.
+struct Exit {
+  double x;  // [pt] of the farthest sample
+  bool above;
+};
+
+// Everything in panel coordinates [pt]: origin at the top left corner of the frame, all points inside it.
+struct Trace {
+  std::vector<Stroke> strokes;
+  std::vector<Point> dots;  // samples alone between two gaps
+  std::vector<Exit> exits;
+};
+
+struct Frame {
+  double width, height;  // [pt]
+  Interval x, y;         // [data units]
+};
+
+// A point of the data on the page. Values far outside the frame stay far outside, yet finite: Cairo wraps large coordinates silently.
+Point to_page(const Frame& frame, double x, double y);
+
+Trace trace(const std::vector<double>& x, const std::vector<double>& y, const Frame& frame);
+
+// Of each run of points in one column, its first, lowest, highest and last, in their order: the ink stays the same. [pt]
+Stroke decimate(const Stroke& points, double column);
+
+// Ramer, Douglas and Peucker: the fewest of these points whose polyline passes every other one within `tolerance` [pt].
+Stroke simplify(const Stroke& points, double tolerance);
+
+// The parts of a polyline inside the box.
+std::vector<Stroke> clip(const Stroke& points, const Box& box);
+
+}  // namespace pmreport::figure

@@ -1,0 +1,66 @@
+// A plot figure: panels of curves over a common kind of axis. Data come in display units (the caller has scaled them); NaN is a gap.
+#pragma once
+
+#include <cairo.h>
+
+#include <string>
+#include <vector>
+
+namespace pmreport::figure {
+
+struct Series {
+  std::string label;         // plain text with Unicode, "l₁", "F₁"; empty: not in the legend
+  std::vector<double> x, y;  // equally long; NaN or infinite y: gap
+  int style = -1;            // index into palette and line styles; -1: position in the panel
+};
+
+struct Axis {
+  std::string label;  // "time", "limb length"
+  std::string unit;   // "s", "mm", "°"; empty: a plain number
+};
+
+struct Band {  // shaded interval of x: samples that break a limit, or cannot be reached
+  double from, to;
+  enum class Kind { limit, unreachable } kind;
+};
+
+struct Line {  // horizontal reference line: a limit
+  double y;
+  std::string label;  // "stroke ends", drawn small at its right end; may be empty
+};
+
+struct Panel {
+  std::string title;  // "limb lengths"; "(a)" and so on is added by the figure when it has several panels
+  Axis x, y;
+  std::vector<Series> series;
+  std::vector<Band> bands;
+  std::vector<Line> lines;
+};
+
+enum class Width { column, full };  // 85 mm and 174 mm, the two widths of a journal
+
+struct Figure {
+  std::string id;       // file name without extension: "displacement"
+  std::string caption;  // a sentence or two, for the report (not drawn)
+  std::string data;     // "data/displacement.csv", the numbers behind it; may be empty
+  Width width = Width::full;
+  int columns = 2;  // panels side by side at full width
+  std::vector<Panel> panels;
+};
+
+struct Size {
+  double width, height;  // [pt]
+};
+Size size_of(const Figure& f);
+
+// Draws into `cr` at the origin, size_of(f) large, as vectors and text.
+void draw(cairo_t* cr, const Figure& f);
+
+std::string to_pdf(const Figure& f);  // one page, fonts embedded; same bytes every time
+std::string to_svg(
+    const Figure& f);  // text as glyph outlines, so that it looks alike everywhere; ids prefixed by f.id: several fit one HTML
+
+// Round tick values covering [low, high]: steps of 1, 2, 2.5 or 5 times a power of ten, about `wanted` of them.
+std::vector<double> ticks(double low, double high, int wanted);
+
+}  // namespace pmreport::figure

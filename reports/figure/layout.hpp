@@ -1,0 +1,60 @@
+// Where everything of a figure goes, before a line of it is drawn.
+#pragma once
+
+#include <cairo.h>
+
+#include <string>
+#include <vector>
+
+#include "reports/figure/axis.hpp"
+#include "reports/figure/curve.hpp"
+#include "reports/figure/figure.hpp"
+#include "reports/figure/geometry.hpp"
+#include "reports/figure/legend.hpp"
+
+namespace pmreport::figure {
+
+struct LineLabel {
+  std::string text;
+  Box box;  // [pt] panel coordinates
+};
+
+// Panel coordinates have their origin at the top left corner of the frame.
+struct PanelLayout {
+  Box frame;  // [pt] on the page
+  Frame window{};
+  Scale x, y;
+  bool empty = false;         // no finite data: a frame without numbers
+  std::vector<Trace> traces;  // one a series
+  std::vector<Box> limit_bands, unreachable_bands;
+  std::vector<double> lines;  // [pt] heights of the limit lines inside the frame
+  std::vector<LineLabel> line_labels;
+  enum class Place { none, inside, below } legend_place = Place::none;
+  Legend legend;
+  std::string heading;     // Pango markup
+  std::string spike_note;  // what was cut off, and how far it goes
+  double x_title_y = 0;    // [pt] panel coordinates, top of the title
+  double y_title_x = 0;
+};
+
+struct Layout {
+  Size size{};
+  std::vector<PanelLayout> panels;
+};
+
+// `cr` only measures text; the layout does not depend on its surface.
+Layout lay_out(cairo_t* cr, const Figure& figure);
+
+// One panel whose frame has this size [pt]; its place on the page is left open.
+PanelLayout lay_out_panel(cairo_t* cr, const Panel& panel, double width, double height);
+
+void draw_panel(cairo_t* cr, const Panel& panel, const PanelLayout& layout);
+
+constexpr double tick_length = 2.5;  // [pt]
+constexpr double tick_gap = 1.8;     // [pt] from a tick to its label
+constexpr double title_gap = 2.5;    // [pt] from tick labels to the axis title
+constexpr double heading_gap = 2.5;  // [pt] from the heading to the frame
+constexpr double exit_mark = 3.4;    // [pt] size of the triangle where a curve leaves the frame
+constexpr double note_distance = 6;  // [pt] from the heading to a note on its line
+
+}  // namespace pmreport::figure

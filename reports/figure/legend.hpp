@@ -1,0 +1,47 @@
+// The legend of a panel: its keys, its shape, and a place where it covers no curve.
+#pragma once
+
+#include <cairo.h>
+
+#include <string>
+#include <vector>
+
+#include "reports/figure/figure.hpp"
+#include "reports/figure/occupancy.hpp"
+
+namespace pmreport::figure {
+
+struct Key {
+  enum class Kind { curve, limit, unreachable } kind;
+  std::string label;
+  int style = 0;  // of a curve
+};
+
+struct Legend {
+  std::vector<Key> keys;
+  int rows = 0;                       // column by column, top to bottom
+  std::vector<double> column_widths;  // [pt] swatch and label
+  double row_height = 0;              // [pt]
+  Box box;                            // [pt] panel coordinates
+};
+
+int style_of(const Series& series, std::size_t position);
+
+// One key a labelled curve, one a kind of band.
+std::vector<Key> keys_of(const Panel& panel);
+
+// The legend in one, two, three... columns, as far as each fits `width` [pt]; a single column always does. Boxes are sized, not placed.
+std::vector<Legend> legend_shapes(cairo_t* cr, const std::vector<Key>& keys, double width);
+
+// Ink that a legend must not touch, and shading that it had better not.
+struct Ground {
+  Occupancy ink, shading;
+};
+
+// Puts the best shape where it touches no ink. Returns false when there is no such place.
+bool place_inside(const std::vector<Legend>& shapes, const Ground& ground, double width, double height, Legend& placed);
+
+// At its box, in panel coordinates.
+void draw_legend(cairo_t* cr, const Legend& legend, bool opaque);
+
+}  // namespace pmreport::figure

@@ -1,0 +1,166 @@
+// The programs that run per vertex and per pixel, GLSL 3.30. Colours are linear light inside them; framebuffers encode to sRGB.
+#pragma once
+
+namespace pmreport::scene::shaders {
+
+// Positions come in pixels of the picture. They are snapped to the rasteriser's own grid of 1/256 pixel before the division by the picture's
+// size, so that a tile of any size and place sees the same triangles.
+//
+// `outline` [px] moves a vertex outwards in the picture: the back faces of a solid so grown stand out around it as its outline.
+inline constexpr const char* solid_vertex = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 color;
+uniform vec2 size;        // of the supersampled picture
+uniform vec2 depth;       // far end, 1 / range
+uniform float supersample, outline;
+uniform mat4 to_light;    // picture -> place in the shadow map, height above ground
+out vec3 n, light;
+out vec4 paint;
+void main() {
+  n = normal;
+  paint = color;
+  light = (to_light * vec4(position, 1.0)).xyz;
+  vec2 out2 = vec2(normal.x, -normal.y);
+  float reach = length(out2);
+  vec2 p = position.xy + (reach > 1e-3 ? outline * out2 / reach : vec2(0.0));
+  vec2 snapped = floor(p * supersample * 256.0 + 0.5) / 256.0;
+  gl_Position = vec4(2.0 * snapped / size - 1.0, 1.0 - 2.0 * (position.z - depth.x) * depth.y, 1.0);
+}
+)";
+
+// Light from three sides and from the whole sky. The shine is a product of squares: pow() differs between processors.
+//
+// The shadow map holds the greatest height above each place, seen along the light; what lies lower is in its shade. Five looks around the
+// place soften the edge.
+inline constexpr const char* solid_fragment = R"(#version 330 core
+in vec3 n, light;
+in vec4 paint;
+uniform vec3 up;          // of the world, in axes of the view
+uniform float opacity, shade_bias, shade_reach;
+uniform sampler2D heights;
+uniform int flat_color;   // 1: paint alone (outlines)
+uniform vec3 flat_paint;
+out vec4 result;
+
+float lit(vec2 offset) { return texture(heights, light.xy + shade_reach * offset).r > light.z + shade_bias ? 0.0 : 1.0; }
+
+void main() {
+  vec3 base = paint.rgb * (paint.rgb * (paint.rgb * 0.305306011 + 0.682171111) + 0.012522878);  // sRGB to linear
+  if (flat_color == 1) {
+    result = vec4(flat_paint, opacity);
+    return;
+  }
+  if (dot(n, n) < 0.25) {
+    result = vec4(base, opacity);
+    return;
+  }
+  vec3 m = normalize(n);
+  float rise = dot(m, up);
+  float key = max(0.0, dot(m, vec3(-0.485, 0.566, 0.667)));
+  float fill = max(0.0, dot(m, vec3(0.640, 0.105, 0.761)));
+  float back = max(0.0, dot(m, vec3(0.30, 0.80, -0.52)));
+  float sky = 0.5 + 0.5 * rise;
+  float open = 1.0;
+  if (rise > 0.05) {
+    float seen = 0.28 * lit(vec2(0.0)) + 0.18 * (lit(vec2(0.92, 0.38)) + lit(vec2(-0.38, 0.92)) + lit(vec2(-0.92, -0.38)) + lit(vec2(0.38, -0.92)));
+    open = mix(1.0, seen, 0.55 * smoothstep(0.05, 0.5, rise));
+  }
+  float h = max(0.0, dot(m, vec3(-0.266, 0.310, 0.913)));  // between key light and viewer
+  float s = h * h; s *= s; s *= s; s *= s; s *= s;  // h^32
+  vec3 sum = base * (open * (0.62 * key + mix(0.10, 0.34, sky)) + 0.22 * fill + 0.12 * back) + 0.16 * s * open;
+  result = vec4(min(sum, vec3(1.0)), opacity);
+}
+)";
+
+inline constexpr const char* cast_vertex = R"(#version 330 core
+layout(location = 0) in vec3 position;
+uniform mat4 to_light;
+uniform float top;        // greatest height
+void main() {
+  vec3 l = (to_light * vec4(position, 1.0)).xyz;
+  gl_Position = vec4(2.0 * l.xy - 1.0, 1.0 - 2.0 * clamp(l.z / top, 0.0, 1.0), 1.0);
+}
+)";
+inline constexpr const char* cast_fragment = R"(#version 330 core
+uniform float top;
+out float height;
+void main() { height = top * (1.0 - gl_FragCoord.z); }
+)";
+
+// One triangle that covers the picture.
+inline constexpr const char* whole_vertex = R"(#version 330 core
+void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }
+)";
+
+// Binomial weights of 13 looks, about a Gaussian of 1.7 steps. The first pass asks whether anything stands there at all.
+inline constexpr const char* blur_fragment = R"(#version 330 core
+uniform sampler2D source;
+uniform vec2 size, stride;
+uniform float above;      // more than this counts as 1, if not negative
+out float shade;
+void main() {
+  const float weight[7] = float[7](924.0, 792.0, 495.0, 220.0, 66.0, 12.0, 1.0);
+  vec2 at = gl_FragCoord.xy / size;
+  float sum = 0.0;
+  for (int k = -6; k <= 6; ++k) {
+    float x = texture(source, at + float(k) * stride).r;
+    sum += weight[abs(k)] * (above < 0.0 ? x : (x > above ? 1.0 : 0.0));
+  }
+  shade = sum / 4096.0;
+}
+)";
+
+// All samples of a pixel are averaged in linear light, and laid over the ground. The ground is the same for all samples to within what an eye
+// can tell and knows its own edges analytically, so it is evaluated once per pixel, here.
+inline constexpr const char* develop_fragment = R"(#version 330 core
+uniform sampler2DMS samples;
+uniform int supersample, any;   // any 0: nothing but ground in this tile
+uniform vec2 origin;            // of the tile [px]
+uniform vec4 background;        // premultiplied
+uniform int ground;             // 0 none, 1 plane, 2 seen edge-on as a line
+uniform vec2 place, place_x, place_y;    // of pixel (0, 0) on the ground [m], and per pixel
+uniform vec2 middle;
+uniform float fade_radius, grid, horizon;
+uniform vec4 to_shade;          // ground [m] -> shadow map: factor, offset
+uniform sampler2D shade;
+out vec4 result;
+
+vec4 over(vec4 a, vec4 b) { return a + (1.0 - a.a) * b; }
+float line(float cells, float spacing, float width) {
+  float away = abs(fract(cells - 0.5) - 0.5) * spacing;
+  return clamp(0.5 * width + 0.5 - away, 0.0, 1.0) * min(width, 1.0) * smoothstep(4.0, 14.0, spacing);
+}
+
+void main() {
+  ivec2 first = ivec2(gl_FragCoord.xy) * supersample;
+  vec4 solids = vec4(0.0);
+  if (any == 1) {
+    for (int y = 0; y < supersample; ++y)
+      for (int x = 0; x < supersample; ++x)
+        for (int k = 0; k < 4; ++k) solids += texelFetch(samples, first + ivec2(x, y), k);
+    solids /= float(4 * supersample * supersample);
+  }
+  vec4 below = background;
+  vec2 px = gl_FragCoord.xy + origin;
+  if (ground == 1 && solids.a < 0.9999) {
+    vec2 g = place + px.x * place_x + px.y * place_y;
+    float fade = 1.0 - smoothstep(0.45, 1.0, length(g - middle) / fade_radius);
+    vec2 spacing = grid / vec2(length(vec2(place_x.x, place_y.x)), length(vec2(place_x.y, place_y.y)));
+    vec2 cells = g / grid;
+    float fine = max(line(cells.x, spacing.x, 0.9), line(cells.y, spacing.y, 0.9));
+    float coarse = max(line(cells.x / 5.0, 5.0 * spacing.x, 1.2), line(cells.y / 5.0, 5.0 * spacing.y, 1.2));
+    float ink = fade * max(0.045, max(0.22 * fine, 0.40 * coarse));
+    below = over(ink * vec4(0.13, 0.17, 0.23, 1.0), below);
+    float dark = 0.40 * texture(shade, g * to_shade.xy + to_shade.zw).r;
+    below = over(dark * vec4(0.02, 0.03, 0.05, 1.0), below);
+  } else if (ground == 2) {
+    float fade = 1.0 - smoothstep(0.55, 1.0, abs(px.x - middle.x) / fade_radius);
+    below = over(0.6 * fade * clamp(1.1 - abs(px.y - horizon), 0.0, 1.0) * vec4(0.13, 0.17, 0.23, 1.0), below);
+  }
+  vec4 sum = over(solids, below);
+  result = sum.a > 0.0 ? vec4(sum.rgb / sum.a, sum.a) : vec4(0.0);
+}
+)";
+
+}  // namespace pmreport::scene::shaders
