@@ -38,10 +38,8 @@ std::vector<Column> columns_of(std::string_view section, const Topology& t) {
       if (j.kind == JointKind::prismatic) continue;
       const bool ball = j.kind == JointKind::spherical;
       for (std::size_t k = 0; k < j.limits.size(); ++k)
-        out.push_back({j.name + (ball                  ? "_deflection"
-                                 : j.limits.size() > 1 ? fmt::format("_angle{}", k + 1)
-                                                       : "_angle"),
-                       "rad", "joint_angle", fmt::format("{} of joint {} from home", ball ? "deflection" : "rotation", j.name)});
+        out.push_back(
+            {joint_column(j, k), "rad", "joint_angle", fmt::format("{} of joint {} from home", ball ? "deflection" : "rotation", j.name)});
     }
   } else if (section == "velocity") {
     add_pose(out, t, "_rate", "s", "coordinate_rate", "rate of ");
@@ -61,6 +59,11 @@ std::vector<Column> columns_of(std::string_view section, const Topology& t) {
     for (const Constraint& c : t.constraints) out.push_back({c.name, c.unit, "constraint", c.title});
   }
   return out;
+}
+
+std::string joint_column(const Joint& joint, std::size_t limit) {
+  if (joint.kind == JointKind::spherical) return joint.name + "_deflection";
+  return joint.name + "_angle" + (joint.limits.size() > 1 ? std::to_string(limit + 1) : "");
 }
 
 std::vector<std::string> sections_with_columns() { return {"displacement", "velocity", "acceleration", "statics"}; }

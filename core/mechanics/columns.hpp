@@ -19,4 +19,7 @@ struct Column {
 std::vector<Column> columns_of(std::string_view section, const Topology& topology);
 std::vector<std::string> sections_with_columns();
 
+// Name of the column of limit number `limit` of a joint: "A1_deflection", "B5_angle", "U1_angle2".
+std::string joint_column(const Joint& joint, std::size_t limit);
+
 }  // namespace pmreport::mechanics

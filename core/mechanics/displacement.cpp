@@ -104,7 +104,8 @@ ForwardSolution ForwardSolver::solve(const SmallVector& actuators, const SmallVe
   return out;
 }
 
-std::vector<ForwardSolution> follow_actuators(const Machine& machine, const std::vector<SmallVector>& actuators, const SmallVector& start) {
+std::vector<ForwardSolution> follow_actuators(const Machine& machine, const std::vector<Eigen::VectorXd>& actuators,
+                                              const Eigen::VectorXd& start) {
   ForwardSolver solver(machine);
   std::vector<ForwardSolution> out;
   SmallVector guess = start;

@@ -183,16 +183,29 @@ Mobility mobility(const Machine& machine, const State& state) {
   return m;
 }
 
-GenericStatics generic_statics(const Machine& machine, const GenericModel& model, const Vector6d& load) {
+GenericStatics generic_statics(const GenericModel& model, const VectorXd& wrenches) {
   const int rows = static_cast<int>(model.constraints.rows()), m = static_cast<int>(model.actuation.rows());
-  const int columns = static_cast<int>(model.constraints.cols());
-  MatrixXd system(columns, rows + m);
+  MatrixXd system(model.constraints.cols(), rows + m);
   system << model.constraints.transpose(), model.actuation.transpose();
-  VectorXd w = VectorXd::Zero(columns);
+  const VectorXd x = Eigen::CompleteOrthogonalDecomposition<MatrixXd>(system).solve(-wrenches);
+  const double largest = wrenches.lpNorm<Eigen::Infinity>();
+  return {x.head(rows), x.tail(m), largest > 0 ? (system * x + wrenches).lpNorm<Eigen::Infinity>() / largest : 0.0};
+}
+
+GenericStatics generic_statics(const Machine& machine, const GenericModel& model, const Vector6d& load) {
+  VectorXd w = VectorXd::Zero(model.constraints.cols());
   w.segment<6>(6 * machine.topology().platform - 6) = load;
-  const VectorXd x = Eigen::CompleteOrthogonalDecomposition<MatrixXd>(system).solve(-w);
-  const double largest = load.lpNorm<Eigen::Infinity>();
-  return {x.head(rows), x.tail(m), largest > 0 ? (system * x + w).lpNorm<Eigen::Infinity>() / largest : 0.0};
+  return generic_statics(model, w);
+}
+
+VectorXd weights(const Machine& machine, const State& state, const Vector3d& gravity) {
+  VectorXd w(6 * (static_cast<int>(state.bodies.size()) - 1));
+  for (std::size_t i = 1; i < state.bodies.size(); ++i) {
+    const Inertia& body = machine.topology().bodies[i].inertia;
+    const Vector3d force = body.mass * gravity;
+    w.segment<6>(6 * static_cast<int>(i) - 6) << force, (state.bodies[i].rotation * body.centre).cross(force);
+  }
+  return w;
 }
 
 }  // namespace pmreport::mechanics

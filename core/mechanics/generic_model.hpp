@@ -41,13 +41,18 @@ struct Mobility {
 };
 Mobility mobility(const Machine& machine, const State& state);
 
-// Massless statics of the whole system: PHI^T lambda + B^T tau + w = 0, w the wrench (force; moment about the reference point) on the
-// platform. Least squares; `residual` tells how well equilibrium is met. Redundant constraints give the least-norm lambda.
+// Statics of the whole system: PHI^T lambda + B^T tau + w = 0, w the wrenches on the bodies 1..n (force; moment about the body's origin),
+// stacked. Least squares; `residual` tells how well equilibrium is met. Redundant constraints give the least-norm lambda.
 struct GenericStatics {
   Eigen::VectorXd reactions;        // lambda
   Eigen::VectorXd actuator_forces;  // tau, push positive
-  double residual = 0;              // largest unbalanced force or moment, relative to the largest of the load
+  double residual = 0;              // largest unbalanced force or moment, relative to the largest of the loads
 };
+GenericStatics generic_statics(const GenericModel& model, const Eigen::VectorXd& wrenches);
+// Massless: the wrench (force; moment about the reference point) acts on the platform alone.
 GenericStatics generic_statics(const Machine& machine, const GenericModel& model, const Vector6d& load);
+
+// The weights of the bodies, as stacked wrenches. `gravity` [m/s^2].
+Eigen::VectorXd weights(const Machine& machine, const State& state, const Eigen::Vector3d& gravity);
 
 }  // namespace pmreport::mechanics

@@ -1,6 +1,7 @@
 // Blocks of the report become pieces in the flow.
 #pragma once
 
+#include <reports/document/names.hpp>
 #include <reports/document/pdf_style.hpp>
 #include <reports/document/report.hpp>
 
@@ -11,6 +12,7 @@ namespace pmreport::document::pdf {
 
 struct Composer {
   const Report& report;
+  const Names names;
   cairo_t* cr;  // what text is measured on and drawn to
   Flow flow{};
   int figures = 0, tables = 0;  // numbered so far
@@ -20,7 +22,8 @@ struct Composer {
 struct Bar {
   Colour colour;
 };
-void put_lines(Composer& c, const std::string& markup, const Style& style, double indent = 0, const Bar* bar = nullptr, bool keep_with_next = false);
+void put_lines(Composer& c, const std::string& markup, const Style& style, double indent = 0, const Bar* bar = nullptr,
+               bool keep_with_next = false);
 
 void put_paragraph(Composer& c, const Paragraph& p);
 void put_figure(Composer& c, const figure::Figure& f);
@@ -28,8 +31,8 @@ void put_gallery(Composer& c, const Gallery& g);
 void put_proof(Composer& c, const Proof& p);
 void put_checks(Composer& c, const std::vector<Check>& checks);
 
-// Rows beyond the first few dozens are left out with a word about where they are: `data_file`, or the report itself when empty.
-void put_table(Composer& c, const Table& t, const std::string& data_file);
+// Rows beyond the first few dozens are left out, with a word about where they are.
+void put_table(Composer& c, const Table& t);
 
 // A number and its heading, kept with what follows; links to `destination` lead here.
 void put_heading(Composer& c, const std::string& number, const std::string& title, const std::string& destination);

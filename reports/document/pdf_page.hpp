@@ -1,4 +1,5 @@
-// The paper, and the flow of pieces down its pages. Pages are settled before anything is drawn, so that contents and footers know their numbers.
+// The paper, and the flow of pieces down its pages. Pages are settled before anything is drawn, so that contents and footers know their
+// numbers.
 #pragma once
 
 #include <cairo.h>
@@ -20,11 +21,11 @@ struct Continuation;
 
 // What never breaks over a page: a line, a row of a table, a figure.
 struct Piece {
-  double height = 0;                     // [pt]
-  std::function<void(cairo_t*)> draw{};  // top left corner at the origin, text_width wide; may be empty
-  bool keep_with_next = false;           // on the page of the piece after it
-  std::string destination{};             // a link may lead here; empty: none
-  const char* role = "P";                // for readers by ear: "H1", "P", "Figure" as PDF calls them; a string literal
+  double height = 0;                             // [pt]
+  std::function<void(cairo_t*)> draw{};          // top left corner at the origin, text_width wide; may be empty
+  bool keep_with_next = false;                   // on the page of the piece after it
+  std::string destination{};                     // a link may lead here; empty: none
+  const char* role = "P";                        // for readers by ear: "H1", "P", "Figure" as PDF calls them; a string literal
   std::shared_ptr<const Continuation> begins{};  // in force after this piece, until one that ends it
   bool ends = false;
 };
@@ -56,6 +57,7 @@ class Flow {
 
   // Page of a destination, 1 for the first. Throws std::logic_error when none has that name: Cairo would write a dead link without a word.
   int page_of(const std::string& destination) const;
+  void require(const std::string& destination) const { page_of(destination); }
 
  private:
   void place();

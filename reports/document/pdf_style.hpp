@@ -14,7 +14,7 @@ struct Colour {
   double r, g, b;
 };
 inline constexpr Colour ink{0.10, 0.11, 0.13}, grey{0.40, 0.42, 0.45}, hairline{0.72, 0.74, 0.77};
-inline constexpr Colour good{0.05, 0.42, 0.25}, bad{0.72, 0.11, 0.11}, caution{0.80, 0.45, 0.00}, accent{0.10, 0.32, 0.55};
+inline constexpr Colour good{0.05, 0.42, 0.25}, bad{0.72, 0.11, 0.11}, caution{0.69, 0.36, 0.00}, accent{0.10, 0.32, 0.55};
 
 struct Style {
   figure::Font font;
@@ -31,20 +31,19 @@ inline constexpr Style listing{{.size = 7.6, .mono = true}, 10.6};
 
 void set_colour(cairo_t* cr, const Colour& c);
 
-// Any bytes made valid UTF-8 that only prints: what is not is shown as U+FFFD, and so are controls and the marks that reorder text. Newlines
-// stay in `clean`; `clean_line` makes spaces of them.
-std::string clean(const std::string& untrusted);
-std::string clean_line(const std::string& untrusted);
+// What may be printed as it stands: valid UTF-8 without controls, and without the marks by which text can be made to read otherwise than it
+// is. Newlines stay in `printable`; `printable_line` makes spaces of them.
+std::string printable(const std::string& untrusted);
+std::string printable_line(const std::string& untrusted);
 
-// The same as Pango markup: clean, escaped.
+// The same as Pango markup: printable, escaped.
 std::string markup(const std::string& untrusted);
 std::string markup_line(const std::string& untrusted);
+std::string unbroken(const std::string& markup);  // stays on one line
 std::string coloured(const std::string& markup, const Colour& c);
 
-// A figure as people write it: "2.1 × 10⁻¹⁵", "0.35", "∞", "not computed" for NaN.
-std::string number(double value, int digits);
-// As `number` with two digits, or as many more as it takes to see on which side of `bound` the value is.
-std::string number_beside(double value, double bound);
+// Breaks long words where the line ends, without a hyphen: it would seem to be part of a name or a path.
+void break_words(PangoLayout* layout);
 
 // A text set in lines of equal pitch, wrapped at `width`.
 class Lines {

@@ -1,4 +1,5 @@
-// OpenGL's functions, straight from the library that offscreen.cpp links: no loader, and no libGL beside it, whose symbols would shadow them.
+// OpenGL's functions, straight from the library that offscreen.cpp links: no loader, and no libGL beside it, whose symbols would shadow
+// them.
 #pragma once
 
 #define GL_GLEXT_PROTOTYPES

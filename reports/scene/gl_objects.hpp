@@ -36,6 +36,7 @@ class Program {
   // Of the program in use.
   void set(const char* name, int x) const { glUniform1i(at(name), x); }
   void set(const char* name, double x) const { glUniform1f(at(name), static_cast<float>(x)); }
+  void set(const char* name, const Eigen::Vector2i& x) const { glUniform2iv(at(name), 1, x.data()); }
   void set(const char* name, const Eigen::Vector2f& x) const { glUniform2fv(at(name), 1, x.data()); }
   void set(const char* name, const Eigen::Vector3f& x) const { glUniform3fv(at(name), 1, x.data()); }
   void set(const char* name, const Eigen::Vector4f& x) const { glUniform4fv(at(name), 1, x.data()); }

@@ -16,11 +16,11 @@ struct Vertex {
 
 // The triangles of one solid or line, and the part of the picture they can touch.
 struct Part {
-  std::uint32_t first = 0, count = 0;  // of the indices
+  std::uint32_t first = 0, count = 0;              // of the indices
   float left = 0, top = 0, right = 0, bottom = 0;  // [px]
-  float near = 0, far = 0;             // depth [px], near >= far
+  float near = 0, far = 0;                         // depth [px], near >= far
   bool line = false;
-  float through = 0;                   // opacity where hidden
+  float through = 0;  // opacity where hidden
 };
 
 struct Mesh {

@@ -6,13 +6,14 @@
 
 namespace pmreport::scene {
 
-// Belongs to the thread that made it, and is current there from then on. Throws std::runtime_error where there is no such context.
+// Belongs to the thread that made it, and is current there until another one is. Throws std::runtime_error where there is no such context.
 class OffscreenContext {
  public:
   OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
   ~OffscreenContext();
+  void make_current() const;
 
  private:
   struct Handle;

@@ -10,20 +10,23 @@ namespace pmreport::scene {
 class Renderer {
  public:
   explicit Renderer(int tile = 800);  // [px] of a tile's side, supersampled
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+  ~Renderer() { context_.make_current(); }  // its objects are deleted there
   Image draw(const Scene& scene, const Camera& camera, const Quality& quality);
 
  private:
   struct Frame;  // what is fixed for one picture
   void upload(const Mesh& mesh);
   void cast_shadow(const Frame& frame);
-  void blur(const Texture& from, const Texture& to, double stride_x, double stride_y, double above);
+  void blur(const Texture& from, const Texture& to, int scale, const Eigen::Vector2i& stride, double above);
+  void set_view(const Program& program, const Frame& frame);
   bool draw_tile(const Frame& frame, int x, int y, int width, int height);
-  void draw_parts(const Frame& frame, bool lines, bool solids);
-  void develop(const Frame& frame, bool any, int x, int y, int width, int height, Image& image);
+  void develop(bool any, int x, int y, int width, int height, Image& image);
 
   int tile_;
   OffscreenContext context_;  // first of all that needs it, so that it goes last
-  Program solid_, cast_, blur_, develop_;
+  Program solid_, plain_, cast_, blur_, develop_;
   VertexArray vertices_, nothing_;
   Buffer vertex_data_, index_data_;
   Texture samples_, heights_, shade_a_, shade_b_, developed_;

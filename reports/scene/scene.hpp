@@ -15,30 +15,31 @@ struct Color {
 
 struct Solid {
   enum class Kind { cylinder, ball, cone, box, plate } kind;
-  Eigen::Vector3d a{0, 0, 0}, b{0, 0, 0};      // cylinder, cone: ends (cone: base, tip); ball: centre a; box: centre a, half edges b
+  Eigen::Vector3d a{0, 0, 0}, b{0, 0, 0};  // cylinder, cone: ends (cone: base, tip); ball: centre a; box: centre a, half edges b
   double radius = 0;
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // of a box
-  std::vector<Eigen::Vector3d> outline;        // of a plate: convex polygon at mid-thickness, `radius` its thickness
+  std::vector<Eigen::Vector3d> outline;                // of a plate: convex polygon at mid-thickness, `radius` its thickness
   Color color;
-  float through = 0;                           // opacity of what other solids hide of it: 0 not seen, 1 as if nothing were in front
+  float through = 0;  // opacity of what other solids hide of it: 0 not seen, 1 as if nothing were in front
 };
 
 struct Polyline {
   std::vector<Eigen::Vector3d> points;
   Color color;
-  double width;                                // [px] of the final picture
-  float through = 0;                           // as of a solid
+  double width;       // [px] of the final picture
+  float through = 0;  // as of a solid
 };
 
 struct Label {
   Eigen::Vector3d at;
-  std::string text;                            // "A1": letters then digits are set as a subscript
+  std::string text;  // "A1": letters then digits are set as a subscript
   Color color;
 };
 
 struct Bounds {
   Eigen::Vector3d low{0, 0, 0}, high{0, 0, 0};
   bool empty = true;
+  std::vector<Eigen::Vector3d> extremes;  // the point that reaches farthest, for each of a fixed set of directions
   void include(const Eigen::Vector3d& p, double margin = 0);
 };
 
@@ -46,36 +47,36 @@ struct Scene {
   std::vector<Solid> solids;
   std::vector<Polyline> lines;
   std::vector<Label> labels;
-  double ground = 0;                           // height of the ground plane, with grid and shadow [m]
-  double grid = 0.1;                           // grid spacing [m]
+  double ground = 0;  // height of the ground plane, with grid and shadow [m]
+  double grid = 0.1;  // grid spacing [m]
 };
 
-struct Camera {                                // orthographic by default: lengths compare across pictures of a report
+struct Camera {  // orthographic by default: lengths compare across pictures of a report
   Eigen::Vector3d target{0, 0, 0};
-  double azimuth = 0, elevation = 0;           // [rad]; azimuth 0 looks along +Y (front), 90° looks along -X (from the right side)
-  double height = 1;                           // of the visible window at the target [m]
+  double azimuth = 0, elevation = 0;  // [rad]; azimuth 0 looks along +Y (front), 90° looks along -X (from the right side)
+  double height = 1;                  // of the visible window at the target [m]
 };
 
 struct Image {
   int width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;              // rows from the top, straight alpha
+  std::vector<std::uint8_t> rgba;  // rows from the top, straight alpha
 };
 
 struct Quality {
   int width = 1600, height = 1200;
-  bool transparent = false;                    // else white
-  int supersample = 2;                         // and 4x multisampling
+  bool transparent = false;  // else white
+  int supersample = 2;       // and 4x multisampling
 };
 
 // What else is drawn at a snapshot.
 struct Extras {
-  std::vector<Eigen::Vector3d> path;           // of the platform's reference point over the motion
+  std::vector<Eigen::Vector3d> path;                // of the platform's reference point over the motion
   Eigen::Vector3d force{0, 0, 0}, moment{0, 0, 0};  // applied to the platform, drawn as an arrow, a curved arrow
   bool labels = true, frames = true;
 };
 
-// The scene of one pose: base, platform, bodies by their shapes or joints, joints by kind (ball, hinge with its axis, cross), labels by joint
-// name, frames O and o.
+// The scene of one pose: base, platform, bodies by their shapes or joints, joints by kind (ball, hinge with its axis, cross), labels by
+// joint name, frames O and o.
 Scene build(const mechanics::Machine& machine, const mechanics::Pose& pose, const Extras& extras);
 
 // Bounds of all that is drawn of a pose; a report includes all its samples, then frames every picture alike.
@@ -84,13 +85,13 @@ Camera frame(const Bounds& bounds, double azimuth, double elevation, double aspe
 
 // Off-screen rendering; throws std::runtime_error with the reason when OpenGL fails (too large, no memory).
 Image render(const Scene& scene, const Camera& camera, const Quality& quality);
-std::string to_png(const Image& image);        // same bytes every time
+std::string to_png(const Image& image);  // same bytes every time
 
 // Where a point appears [px from the top left], and which label boxes were placed where: for tests.
 Eigen::Vector2d project(const Camera& camera, const Eigen::Vector3d& point, int width, int height);
 struct PlacedLabel {
   std::string text;
-  double x, y, width, height;                  // box [px], top left corner
+  double x, y, width, height;  // box [px], top left corner
 };
 std::vector<PlacedLabel> place_labels(const Scene& scene, const Camera& camera, int width, int height);
 

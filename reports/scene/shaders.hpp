@@ -3,8 +3,8 @@
 
 namespace pmreport::scene::shaders {
 
-// Positions come in pixels of the picture. They are snapped to the rasteriser's own grid of 1/256 pixel before the division by the picture's
-// size, so that a tile of any size and place sees the same triangles.
+// Positions come in pixels of the picture. They are snapped to the rasteriser's own grid of 1/256 pixel before the division by the
+// picture's size, so that a tile of any size and place sees the same triangles.
 //
 // `outline` [px] moves a vertex outwards in the picture: the back faces of a solid so grown stand out around it as its outline.
 inline constexpr const char* solid_vertex = R"(#version 330 core
@@ -32,44 +32,47 @@ void main() {
 // Light from three sides and from the whole sky. The shine is a product of squares: pow() differs between processors.
 //
 // The shadow map holds the greatest height above each place, seen along the light; what lies lower is in its shade. Five looks around the
-// place soften the edge.
+// place soften the edge. Whole texels are fetched, here and below: filtered looks take several times as long, above all to compile.
 inline constexpr const char* solid_fragment = R"(#version 330 core
 in vec3 n, light;
 in vec4 paint;
 uniform vec3 up;          // of the world, in axes of the view
-uniform float opacity, shade_bias, shade_reach;
+uniform float shade_bias, shade_reach, map_size;
 uniform sampler2D heights;
-uniform int flat_color;   // 1: paint alone (outlines)
-uniform vec3 flat_paint;
 out vec4 result;
 
-float lit(vec2 offset) { return texture(heights, light.xy + shade_reach * offset).r > light.z + shade_bias ? 0.0 : 1.0; }
+float lit(vec2 offset) {
+  vec2 at = clamp(map_size * light.xy + shade_reach * offset, vec2(0.0), vec2(map_size - 1.0));
+  return texelFetch(heights, ivec2(at), 0).r > light.z + shade_bias ? 0.0 : 1.0;
+}
 
 void main() {
   vec3 base = paint.rgb * (paint.rgb * (paint.rgb * 0.305306011 + 0.682171111) + 0.012522878);  // sRGB to linear
-  if (flat_color == 1) {
-    result = vec4(flat_paint, opacity);
-    return;
-  }
-  if (dot(n, n) < 0.25) {
-    result = vec4(base, opacity);
-    return;
-  }
   vec3 m = normalize(n);
   float rise = dot(m, up);
   float key = max(0.0, dot(m, vec3(-0.485, 0.566, 0.667)));
   float fill = max(0.0, dot(m, vec3(0.640, 0.105, 0.761)));
   float back = max(0.0, dot(m, vec3(0.30, 0.80, -0.52)));
   float sky = 0.5 + 0.5 * rise;
-  float open = 1.0;
-  if (rise > 0.05) {
-    float seen = 0.28 * lit(vec2(0.0)) + 0.18 * (lit(vec2(0.92, 0.38)) + lit(vec2(-0.38, 0.92)) + lit(vec2(-0.92, -0.38)) + lit(vec2(0.38, -0.92)));
-    open = mix(1.0, seen, 0.55 * smoothstep(0.05, 0.5, rise));
-  }
+  float seen = 0.28 * lit(vec2(0.0)) +
+               0.18 * (lit(vec2(0.92, 0.38)) + lit(vec2(-0.38, 0.92)) + lit(vec2(-0.92, -0.38)) + lit(vec2(0.38, -0.92)));
+  float open = mix(1.0, seen, 0.55 * smoothstep(0.05, 0.5, rise));
   float h = max(0.0, dot(m, vec3(-0.266, 0.310, 0.913)));  // between key light and viewer
   float s = h * h; s *= s; s *= s; s *= s; s *= s;  // h^32
   vec3 sum = base * (open * (0.62 * key + mix(0.10, 0.34, sky)) + 0.22 * fill + 0.12 * back) + 0.16 * s * open;
-  result = vec4(min(sum, vec3(1.0)), opacity);
+  result = vec4(min(sum, vec3(1.0)), 1.0);
+}
+)";
+
+// Lines, outlines, and what is seen through others: paint alone.
+inline constexpr const char* plain_fragment = R"(#version 330 core
+in vec4 paint;
+uniform float opacity;
+uniform vec4 ink;         // replaces the paint as far as its alpha says
+out vec4 result;
+void main() {
+  vec3 base = paint.rgb * (paint.rgb * (paint.rgb * 0.305306011 + 0.682171111) + 0.012522878);
+  result = vec4(mix(base, ink.rgb, ink.a), opacity);
 }
 )";
 
@@ -96,23 +99,24 @@ void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2
 // Binomial weights of 13 looks, about a Gaussian of 1.7 steps. The first pass asks whether anything stands there at all.
 inline constexpr const char* blur_fragment = R"(#version 330 core
 uniform sampler2D source;
-uniform vec2 size, stride;
+uniform int size, scale;  // of the result; of the source to the result
+uniform ivec2 stride;
 uniform float above;      // more than this counts as 1, if not negative
 out float shade;
 void main() {
   const float weight[7] = float[7](924.0, 792.0, 495.0, 220.0, 66.0, 12.0, 1.0);
-  vec2 at = gl_FragCoord.xy / size;
   float sum = 0.0;
   for (int k = -6; k <= 6; ++k) {
-    float x = texture(source, at + float(k) * stride).r;
+    ivec2 at = clamp(ivec2(gl_FragCoord.xy) + k * stride, ivec2(0), ivec2(size - 1));
+    float x = texelFetch(source, scale * at, 0).r;
     sum += weight[abs(k)] * (above < 0.0 ? x : (x > above ? 1.0 : 0.0));
   }
   shade = sum / 4096.0;
 }
 )";
 
-// All samples of a pixel are averaged in linear light, and laid over the ground. The ground is the same for all samples to within what an eye
-// can tell and knows its own edges analytically, so it is evaluated once per pixel, here.
+// All samples of a pixel are averaged in linear light, and laid over the ground. The ground is the same for all samples to within what an
+// eye can tell and knows its own edges analytically, so it is evaluated once per pixel, here.
 inline constexpr const char* develop_fragment = R"(#version 330 core
 uniform sampler2DMS samples;
 uniform int supersample, any;   // any 0: nothing but ground in this tile
@@ -150,7 +154,7 @@ void main() {
     vec2 cells = g / grid;
     float fine = max(line(cells.x, spacing.x, 0.9), line(cells.y, spacing.y, 0.9));
     float coarse = max(line(cells.x / 5.0, 5.0 * spacing.x, 1.2), line(cells.y / 5.0, 5.0 * spacing.y, 1.2));
-    float ink = fade * max(0.045, max(0.22 * fine, 0.40 * coarse));
+    float ink = fade * max(0.06, max(0.45 * fine, 0.70 * coarse));
     below = over(ink * vec4(0.13, 0.17, 0.23, 1.0), below);
     float dark = 0.40 * texture(shade, g * to_shade.xy + to_shade.zw).r;
     below = over(dark * vec4(0.02, 0.03, 0.05, 1.0), below);

@@ -9,13 +9,13 @@ namespace pmreport::scene {
 class View {
  public:
   View(const Camera& camera, int width, int height);
-  Eigen::Vector3d see(const Eigen::Vector3d& point) const;             // [m] -> [px]
-  Eigen::Vector3d turn(const Eigen::Vector3d& direction) const;        // to axes right, up, towards the viewer; keeps its length
-  Eigen::Vector3d world(const Eigen::Vector3d& seen) const;            // [px] -> [m]
+  Eigen::Vector3d see(const Eigen::Vector3d& point) const;       // [m] -> [px]
+  Eigen::Vector3d turn(const Eigen::Vector3d& direction) const;  // to axes right, up, towards the viewer; keeps its length
+  Eigen::Vector3d world(const Eigen::Vector3d& seen) const;      // [px] -> [m]
   Eigen::Vector3d right() const { return axes_.row(0); }
   Eigen::Vector3d up() const { return axes_.row(1); }
   Eigen::Vector3d towards() const { return axes_.row(2); }
-  double scale() const { return scale_; }                              // [px/m]
+  double scale() const { return scale_; }  // [px/m]
 
  private:
   Eigen::Matrix3d axes_;  // rows: right, up, towards the viewer; base axes

@@ -1,0 +1,65 @@
+#define BOOST_DLL_USE_STD_FS
+#include <dlfcn.h>
+
+#include <boost/dll/shared_library.hpp>
+#include <core/host/library_file.hpp>
+#include <core/host/plugin_table.hpp>
+#include <core/host/refusal.hpp>
+#include <map>
+#include <mutex>
+
+namespace pmreport::host {
+namespace {
+
+// What the loader had to say. Boost's own text for every failure is "Bad file descriptor"; dlerror knows better, and begins with the path.
+std::string loader_sentence(const std::filesystem::path& path) {
+  const char* text = dlerror();
+  std::string sentence = text != nullptr ? text : "no reason given";
+  if (const std::string prefix = path.string() + ": "; sentence.starts_with(prefix)) sentence.erase(0, prefix.size());
+  return sentence;
+}
+
+// Now, so that a missing symbol is told here and not by the end of the process in the middle of a report; local, so that plugins cannot
+// bind to each other's symbols.
+boost::dll::shared_library open(const std::filesystem::path& path, const std::string& where) {
+  boost::dll::shared_library library;
+  std::error_code error;
+  library.load(path, boost::dll::load_mode::rtld_now | boost::dll::load_mode::rtld_local, error);
+  if (error || !library.is_loaded())
+    refuse(where, "a library that loads with all its symbols", loader_sentence(path),
+           "link what is missing into the plugin, or install it");
+  if (!library.has(PM_PLUGIN_SYMBOL))
+    refuse(where, "the exported data symbol '" PM_PLUGIN_SYMBOL "'", "a library without it", "end the source with PMREPORT_PLUGIN(...)");
+  return library;
+}
+
+struct Registry {
+  std::mutex guard;
+  std::vector<boost::dll::shared_library> libraries;  // refused ones as well: the unloading of C++ code is not dependable
+  std::map<std::filesystem::path, PluginFile> plugins;
+};
+
+// Never destroyed: an object of the program that outlives main may still hold a pointer into a library.
+Registry& registry() {
+  static Registry& one = *new Registry;
+  return one;
+}
+
+}  // namespace
+
+PluginFile load_plugin(const std::filesystem::path& path) {
+  Registry& known = registry();
+  const std::lock_guard lock(known.guard);
+
+  require_plugin_library(path);
+  const std::filesystem::path file = std::filesystem::canonical(path);
+  if (const auto same = known.plugins.find(file); same != known.plugins.end()) return {path, same->second.table, same->second.mechanisms};
+
+  const std::string where = path.string();
+  const auto& library = known.libraries.emplace_back(open(file, where));
+  const auto& table = library.get<const pm_plugin_table>(PM_PLUGIN_SYMBOL);
+  require_sound(table, where);
+  return known.plugins[file] = {path, &table, {table.mechanisms, table.mechanisms + table.mechanism_count}};
+}
+
+}  // namespace pmreport::host

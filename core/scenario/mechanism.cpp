@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <core/scenario/parts.hpp>
+#include <core/scenario/text.hpp>
+
+namespace pmreport::scenario {
+namespace {
+
+using mechanics::ParameterInfo;
+
+std::string shown(double si, const ParameterInfo& info) {
+  const auto unit = parse_unit(info.display);
+  return unit ? fmt::format("{}{}{}", format_number(si / unit->factor, 6), info.display.empty() ? "" : " ", info.display)
+              : fmt::format("{}{}{}", format_number(si, 6), info.unit.empty() ? "" : " ", info.unit);
+}
+
+std::optional<double> read_number(const Value& value, const ParameterInfo& info, const Reader& reader) {
+  const auto number = reader.quantity(value, parse_unit(info.unit).value_or(Unit{}).dimension);
+  if (!number) return std::nullopt;
+  // The range may end at a round number of the display unit, which its SI value meets only to rounding.
+  const double slack = 1e-12 * std::max(std::abs(info.min), std::abs(info.max));
+  if (*number >= info.min - slack && *number <= info.max + slack) return std::clamp(*number, info.min, info.max);
+  reader.diagnostics().add(value.place, fmt::format("expected {} to {} for {}, seen {}", shown(info.min, info), shown(info.max, info),
+                                                    info.name, shown(*number, info)));
+  return std::nullopt;
+}
+
+std::optional<std::vector<double>> read_parameter(const Value& value, const ParameterInfo& info, const Reader& reader) {
+  if (info.kind == PM_CHOICE) {
+    const auto index = reader.word(value, info.choices, fmt::format("the choices of {}", info.name));
+    return index ? std::optional(std::vector{static_cast<double>(*index)}) : std::nullopt;
+  }
+  if (info.kind == PM_NUMBER) {
+    const auto number = read_number(value, info, reader);
+    return number ? std::optional(std::vector{*number}) : std::nullopt;
+  }
+  if (value.kind == Value::Kind::refused) return std::nullopt;
+  if (value.kind != Value::Kind::array || value.items.size() < info.count_min || value.items.size() > info.count_max) {
+    const std::string count =
+        info.count_min == info.count_max ? fmt::format("{}", info.count_min) : fmt::format("{} to {}", info.count_min, info.count_max);
+    reader.diagnostics().add(value.place,
+                             fmt::format("expected a list of {} numbers for {}, seen {}", count, info.name,
+                                         value.kind == Value::Kind::array ? fmt::format("{}", value.items.size()) : name_of(value)));
+    return std::nullopt;
+  }
+  std::vector<double> out;
+  for (const Value& item : value.items)
+    if (const auto number = read_number(item, info, reader)) out.push_back(*number);
+  return out.size() == value.items.size() ? std::optional(out) : std::nullopt;
+}
+
+// The parameter that a sentence of the mechanism is about: the first that it names and the scenario sets.
+const Entry* blamed(const std::string& sentence, const Value* parameters) {
+  const auto is_word = [](char c) { return c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
+  const Entry* best = nullptr;
+  std::size_t first = std::string::npos;
+  if (parameters == nullptr) return nullptr;
+  for (const Entry& e : parameters->entries)
+    for (std::size_t at = sentence.find(e.key); at < first; at = sentence.find(e.key, at + 1)) {
+      const std::size_t end = at + e.key.size();
+      if ((at > 0 && is_word(sentence[at - 1])) || (end < sentence.size() && is_word(sentence[end]))) continue;
+      best = &e;
+      first = at;
+    }
+  return best;
+}
+
+// Something to judge the other parts by although parameters are wrong: the mechanism with the choices that were made and all else at
+// default.
+std::optional<Topology> assumed_topology(const pm_mechanism& table, const MechanismPart& part) {
+  mechanics::ParameterValues values = mechanics::default_values(part.info);
+  for (const std::size_t i : part.set)
+    if (part.info.parameters[i].kind == PM_CHOICE) values[i] = part.values[i];
+  try {
+    return mechanics::Machine(table, values).topology();
+  } catch (const mechanics::MechanismError& e) {
+    if (e.status != PM_BAD_ARGUMENT) throw;
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+MechanismPart read_mechanism(const Entry* entry, const MechanismSource& source, const Reader& reader) {
+  Diagnostics& diagnostics = reader.diagnostics();
+  MechanismPart part;
+  if (entry == nullptr) {
+    diagnostics.add(Place{}, "expected the table [mechanism], which is not there",
+                    source.names.empty() ? "write [mechanism] and use = \"NAME\""
+                                         : fmt::format("write [mechanism] and use = \"{}\"", source.names.front()));
+    return part;
+  }
+  const Value* content = table_of(entry, "mechanism", reader);
+  if (content == nullptr) return part;
+  TableReader table(*content, "[mechanism]", entry->place, reader);
+  const Entry* use = table.need("use", fmt::format("use = \"{}\"", source.names.empty() ? "NAME" : source.names.front()));
+  const Entry* parameters_entry = table.find("parameters");
+  table.finish();
+  const Value* parameters = table_of(parameters_entry, "mechanism.parameters", reader);
+  const auto name = use != nullptr ? reader.text(use->value) : std::nullopt;
+  if (!name) return part;
+  part.name = *name;
+  const pm_mechanism* mechanism = source.find(*name);
+  if (mechanism == nullptr) {
+    diagnostics.add(use->value.place, fmt::format("no mechanism is called {}{}", in_quotes(*name), did_you_mean(*name, source.names)),
+                    source.names.empty() ? "no mechanism was found at all; look at the plugin path"
+                                         : fmt::format("the mechanisms are {}", listed(source.names, "and")));
+    return part;
+  }
+  part.info = mechanics::describe(*mechanism);
+  part.values = mechanics::default_values(part.info);
+
+  bool sound = parameters_entry == nullptr || parameters != nullptr;
+  if (parameters != nullptr) {
+    TableReader given(*parameters, "[mechanism.parameters] of " + part.name, parameters_entry->place, reader);
+    for (std::size_t i = 0; i < part.info.parameters.size(); ++i) {
+      const Entry* e = given.find(part.info.parameters[i].name);
+      if (e == nullptr) continue;
+      const auto value = read_parameter(e->value, part.info.parameters[i], reader);
+      sound = sound && value.has_value();
+      if (!value) continue;
+      part.values[i] = *value;
+      part.set.push_back(i);
+    }
+    given.finish();
+  }
+  if (sound) {
+    try {
+      part.machine = std::make_unique<mechanics::Machine>(*mechanism, part.values);
+      part.topology = part.machine->topology();
+      return part;
+    } catch (const mechanics::MechanismError& e) {
+      if (e.status != PM_BAD_ARGUMENT) throw;
+      const Entry* culprit = blamed(e.what(), parameters);
+      diagnostics.add(culprit != nullptr ? culprit->place : entry->place,
+                      fmt::format("{} refuses its parameters: {}", part.name, printable(e.what())));
+    }
+  }
+  part.topology = assumed_topology(*mechanism, part);
+  return part;
+}
+
+}  // namespace pmreport::scenario

@@ -1,0 +1,35 @@
+// Curves through points, with exact rates and accelerations.
+#pragma once
+
+#include <pmreport/jet.hpp>
+#include <vector>
+
+namespace pmreport::scenario {
+
+enum class Ends {
+  at_rest,     // zero rate at both ends
+  not_a_knot,  // the first two pieces are one cubic, and the last two: what best continues measured points
+};
+
+// The cubic spline through the points: twice continuously differentiable. At least two points, times strictly increasing.
+class CubicSpline {
+ public:
+  CubicSpline(std::vector<double> times, std::vector<double> values, Ends ends);
+  Jet<double> at(double t) const;  // beyond the ends the outer piece goes on
+
+ private:
+  std::vector<double> times_, values_;
+  std::vector<double> bends_;  // second derivative at each point
+};
+
+// From point to point by quintics that start and end at rest: zero rate and acceleration at every point.
+class QuinticSteps {
+ public:
+  QuinticSteps(std::vector<double> times, std::vector<double> values) : times_(std::move(times)), values_(std::move(values)) {}
+  Jet<double> at(double t) const;  // beyond the ends the outer point stays
+
+ private:
+  std::vector<double> times_, values_;
+};
+
+}  // namespace pmreport::scenario

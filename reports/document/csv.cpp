@@ -1,0 +1,53 @@
+#include <charconv>
+#include <cmath>
+#include <reports/document/report.hpp>
+#include <reports/document/text.hpp>
+
+namespace pmreport::document {
+
+namespace {
+
+// A spreadsheet runs a cell that starts like a formula; the apostrophe makes it text.
+std::string heading(const std::string& raw) {
+  std::string text = clean(raw);
+  if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos) text.insert(0, "'");
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+void append(std::string& out, double number) {
+  if (!std::isfinite(number)) return;
+  char digits[32];
+  const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
+  out.append(digits, end);
+}
+
+}  // namespace
+
+std::string to_csv(const Data& d) {
+  const std::size_t columns = d.columns.size(), rows = columns == 0 ? 0 : d.columns.front().size();
+  if (d.headings.size() != columns) throw std::logic_error("data " + d.name + ": one heading a column");
+  for (const auto& column : d.columns) {
+    if (column.size() != rows) throw std::logic_error("data " + d.name + ": columns are not equally long");
+  }
+  std::string out;
+  for (std::size_t c = 0; c < columns; ++c) out += (c ? "," : "") + heading(d.headings[c]);
+  out += '\n';
+  for (std::size_t row = 0; row < rows; ++row) {
+    const std::size_t start = out.size();
+    for (std::size_t c = 0; c < columns; ++c) {
+      if (c) out += ',';
+      append(out, d.columns[c][row]);
+    }
+    if (out.size() == start) out += "\"\"";  // a lone empty cell would be an empty line, which readers skip
+    out += '\n';
+  }
+  return out;
+}
+
+}  // namespace pmreport::document

@@ -1,0 +1,74 @@
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <reports/document/file.hpp>
+#include <reports/document/report.hpp>
+#include <system_error>
+
+namespace pmreport::document {
+
+namespace {
+
+const char* remedy(int error) {
+  switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+      return "Free some space, or choose a folder on another disk.";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "A report is made beside its place, then renamed: choose a place in a folder that you may write.";
+    case ENOTDIR:
+      return "A part of this path is a file; choose another folder.";
+    case ENAMETOOLONG:
+      return "Choose a shorter name.";
+    case EBUSY:
+    case EXDEV:
+      return "The folder is a mount point or in use; name a folder inside it.";
+    default:
+      return "Choose another folder.";
+  }
+}
+
+}  // namespace
+
+Descriptor::~Descriptor() { close(); }
+
+bool Descriptor::close() {
+  const int number = std::exchange(number_, -1);
+  return number < 0 || ::close(number) == 0 || errno == EINTR;  // Linux frees the number even then
+}
+
+void fail(const char* deed, const std::filesystem::path& path, int error) {
+  throw OutputError("cannot " + std::string(deed) + " " + path.string() + ": " + std::generic_category().message(error) + ". " +
+                    remedy(error));
+}
+
+void write_new_file(const std::filesystem::path& path, std::string_view bytes) {
+  Descriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+  if (file.number() < 0) fail("make", path, errno);
+  constexpr std::size_t most = 1u << 30;  // Linux writes at most 2 GiB a call
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file.number(), bytes.data(), std::min(bytes.size(), most));
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) fail("write", path, written < 0 ? errno : ENOSPC);
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  if (fsync(file.number()) != 0) fail("write", path, errno);
+  if (!file.close()) fail("write", path, errno);
+}
+
+void make_folder(const std::filesystem::path& path) {
+  if (mkdir(path.c_str(), 0777) != 0) fail("make", path, errno);
+}
+
+void sync_folder(const std::filesystem::path& path) {
+  const Descriptor folder(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.number() < 0) fail("open", path, errno);
+  if (fsync(folder.number()) != 0 && errno != EINVAL) fail("write", path, errno);  // EINVAL: this file system has nothing to sync
+}
+
+}  // namespace pmreport::document

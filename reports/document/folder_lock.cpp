@@ -1,0 +1,41 @@
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <reports/document/folder_lock.hpp>
+#include <reports/document/report.hpp>
+
+namespace pmreport::document {
+
+namespace {
+
+// The one before may have removed the file between our open and our lock; a lock on a file without a name keeps nobody out.
+bool is_still_named(const Descriptor& file, const std::filesystem::path& path) {
+  struct stat held {
+  }, named{};
+  return fstat(file.number(), &held) == 0 && lstat(path.c_str(), &named) == 0 && held.st_ino == named.st_ino && held.st_dev == named.st_dev;
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const std::filesystem::path& folder) : path_(folder.parent_path() / ("." + folder.filename().string() + ".lock")) {
+  do {
+    file_ = Descriptor(open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
+    if (file_.number() < 0) fail("make", path_, errno);
+    int status = 0;
+    do status = flock(file_.number(), LOCK_EX | LOCK_NB);
+    while (status != 0 && errno == EINTR);
+    if (status != 0 && errno == EWOULDBLOCK) {
+      throw OutputError("cannot write the report " + folder.string() +
+                        ": another run is writing it now. Wait until that has ended, or choose another folder.");
+    }
+    if (status != 0) fail("lock", path_, errno);
+  } while (!is_still_named(file_, path_));
+}
+
+// Removed while still locked: a waiting process then sees that its file has lost its name, and starts anew.
+FolderLock::~FolderLock() { unlink(path_.c_str()); }
+
+}  // namespace pmreport::document

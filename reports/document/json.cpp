@@ -1,0 +1,157 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <reports/document/names.hpp>
+#include <reports/document/results.hpp>
+#include <reports/document/tally.hpp>
+
+namespace pmreport::document {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// JSON has no NaN: null, and the status that every number carries says why.
+void put_number(Json& into, const char* key, double value) { into[key] = std::isfinite(value) ? Json(value) : Json(nullptr); }
+const char* status_of(double value) { return std::isfinite(value) ? "ok" : "not finite"; }
+
+Json json_of(const Tally& tally) { return {{"total", tally.total}, {"failed", tally.failed}}; }
+
+Json json_of(const Evidence& line) {
+  Json out{{"claim", line.claim}, {"how", line.how}, {"passed", line.passed()}};
+  put_number(out, "value", line.value);
+  out["status"] = status_of(line.value);
+  put_number(out, "tolerance", line.tolerance);
+  out["unit"] = line.unit;
+  return out;
+}
+
+Json json_of(const Check& check) {
+  Json out{{"name", check.name}, {"passed", check.passed}, {"measured", check.measured}, {"limit", check.limit}};
+  put_number(out, "value", check.value);
+  out["status"] = status_of(check.value);
+  put_number(out, "bound", check.bound);
+  out.update({{"unit", check.unit}, {"message", check.message}, {"line", check.line}});
+  return out;
+}
+
+Json json_of(const Value& value) {
+  Json out{{"section", value.section}, {"name", value.name}};
+  put_number(out, "value", value.value);
+  out["status"] = status_of(value.value);
+  out["unit"] = value.unit;
+  return out;
+}
+
+template <class Items>
+Json list_of(const Items& items) {
+  Json out = Json::array();
+  for (const auto& item : items) out.push_back(json_of(item));
+  return out;
+}
+
+void add_warnings(Json& out, const std::string& section, const Paragraph& paragraph) {
+  if (paragraph.tone == Paragraph::Tone::warning) out.push_back({{"section", section}, {"text", paragraph.text}});
+}
+
+Json warnings_of(const Report& r) {
+  Json out = Json::array();
+  for (const Paragraph& paragraph : r.summary) add_warnings(out, "", paragraph);
+  for (const Section& section : r.sections) {
+    for (const Block& block : section.blocks) {
+      if (const auto* paragraph = std::get_if<Paragraph>(&block)) add_warnings(out, section.id, *paragraph);
+    }
+  }
+  return out;
+}
+
+Json sections_of(const Report& r) {
+  Json out = Json::array();
+  for (const Section& section : r.sections) {
+    Json evidence = Json::array();
+    for (const Block& block : section.blocks) {
+      const auto* proof = std::get_if<Proof>(&block);
+      if (!proof) continue;
+      for (const Evidence& line : proof->lines) evidence.push_back(json_of(line));
+    }
+    const bool passed = tally_evidence(section).failed == 0;
+    out.push_back({{"id", section.id}, {"kind", section.kind}, {"title", section.title}, {"passed", passed}, {"evidence", evidence}});
+  }
+  return out;
+}
+
+Json figure_list(const Report& r, const Names& names) {
+  Json out = Json::array();
+  const auto figures = figures_of(r);
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const std::string stem = "figures/" + names.figures[i];
+    out.push_back({{"id", figures[i]->id},
+                   {"caption", figures[i]->caption},
+                   {"svg", stem + ".svg"},
+                   {"pdf", stem + ".pdf"},
+                   {"data", data_file(r, names, *figures[i])}});
+  }
+  return out;
+}
+
+Json snapshot_list(const Report& r, const Names& names) {
+  Json out = Json::array();
+  const auto pictures = pictures_of(r);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    out.push_back({{"id", pictures[i]->id},
+                   {"caption", pictures[i]->caption},
+                   {"png", "snapshots/" + names.pictures[i] + ".png"},
+                   {"width", pictures[i]->width},
+                   {"height", pictures[i]->height}});
+  }
+  return out;
+}
+
+Json data_list(const Report& r, const Names& names) {
+  Json out = Json::array();
+  for (std::size_t i = 0; i < r.data.size(); ++i) {
+    const Data& data = r.data[i];
+    out.push_back({{"name", data.name},
+                   {"csv", "data/" + names.data[i] + ".csv"},
+                   {"columns", data.headings},
+                   {"rows", data.columns.empty() ? 0 : data.columns.front().size()}});
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string to_json(const Report& r) {
+  const Names names = names_of(r);
+  const Provenance& from = r.provenance;
+  Json out{{"schema", results_schema}, {"schema_version", 1}, {"title", r.title}, {"author", r.author}, {"description", r.description}};
+  out["mechanism"] = {{"name", from.mechanism}, {"title", r.mechanism_title}, {"source", r.source}};
+  out["provenance"] = {{"program", from.program},
+                       {"version", from.version},
+                       {"plugin_build", from.plugin_build},
+                       {"scenario", from.scenario_name},
+                       {"scenario_sha256", from.scenario_sha256}};
+  out["verdict"] = {{"passed", r.passed()}, {"checks", json_of(tally_checks(r))}, {"evidence", json_of(tally_evidence(r))}};
+  out["warnings"] = warnings_of(r);
+  out["checks"] = list_of(r.checks);
+  out["sections"] = sections_of(r);
+  out["values"] = list_of(r.values);
+  out["figures"] = figure_list(r, names);
+  out["snapshots"] = snapshot_list(r, names);
+  out["data"] = data_list(r, names);
+  out["files"] = files_of(names);
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::optional<std::vector<std::string>> files_listed_in(const std::string& results) {
+  const Json json = Json::parse(results, nullptr, false);
+  if (!json.is_object() || json.value("schema", Json()) != results_schema) return std::nullopt;
+  const Json files = json.value("files", Json());
+  if (!files.is_array()) return std::nullopt;
+  std::vector<std::string> out;
+  for (const Json& file : files) {
+    if (file.is_string()) out.push_back(file.get<std::string>());
+  }
+  return out;
+}
+
+}  // namespace pmreport::document

@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include <reports/document/names.hpp>
+#include <reports/document/quantity.hpp>
+#include <reports/document/tally.hpp>
+#include <reports/document/text.hpp>
+
+namespace pmreport::document {
+
+namespace {
+
+std::string attributes(const std::string& name, const Tally& tally) {
+  return fmt::format("name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\"", escape(name), tally.total, tally.failed);
+}
+
+// What was measured and what was asked stand with every case, passed or not: a trend is read from them before anything breaks.
+std::string outcome(bool passed, const char* type, const std::string& finding, const std::string& detail) {
+  const std::string text = detail.empty() ? finding : finding + "\n" + detail;
+  if (passed) return fmt::format("      <system-out>{}</system-out>\n", escape(text));
+  return fmt::format("      <failure type=\"{}\" message=\"{}\">{}</failure>\n", type, escape(finding), escape(text));
+}
+
+std::string to_case(const Check& check, const std::string& scenario) {
+  const std::string place = check.line > 0 ? fmt::format(" file=\"{}\" line=\"{}\"", escape(scenario), check.line) : "";
+  return fmt::format("    <testcase name=\"{}\" classname=\"checks\"{}>\n{}    </testcase>\n", escape(check.name), place,
+                     outcome(check.passed, "check", "measured " + check.measured + ", limit " + check.limit, check.message));
+}
+
+std::string to_case(const Evidence& line, const std::string& section) {
+  const std::string finding = "measured " + rounded(line.value, line.unit) + ", tolerance " + rounded(line.tolerance, line.unit);
+  return fmt::format("    <testcase name=\"{}\" classname=\"{}\">\n{}    </testcase>\n", escape(line.claim), section,
+                     outcome(line.passed(), "evidence", finding, line.how));
+}
+
+}  // namespace
+
+std::string to_junit(const Report& r) {
+  const Names names = names_of(r);
+  const Tally checks = tally_checks(r), evidence = tally_evidence(r);
+  const Tally all{checks.total + evidence.total, checks.failed + evidence.failed};
+  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites " + attributes(r.title, all) + ">\n";
+  if (checks.total > 0) {
+    out += "  <testsuite " + attributes("checks", checks) + ">\n";
+    for (const Check& check : r.checks) out += to_case(check, r.provenance.scenario_name);
+    out += "  </testsuite>\n";
+  }
+  for (std::size_t s = 0; s < r.sections.size(); ++s) {
+    const Tally tally = tally_evidence(r.sections[s]);
+    if (tally.total == 0) continue;
+    out += "  <testsuite " + attributes(names.sections[s], tally) + ">\n";
+    for (const Block& block : r.sections[s].blocks) {
+      const auto* proof = std::get_if<Proof>(&block);
+      if (!proof) continue;
+      for (const Evidence& line : proof->lines) out += to_case(line, names.sections[s]);
+    }
+    out += "  </testsuite>\n";
+  }
+  return out + "</testsuites>\n";
+}
+
+}  // namespace pmreport::document

@@ -1,0 +1,103 @@
+#include <reports/document/names.hpp>
+#include <set>
+
+namespace pmreport::document {
+
+namespace {
+
+constexpr std::size_t longest = 100;  // of 255 that file systems allow: the extension and a number come on top
+
+bool is_plain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+}
+
+std::string plain(const std::string& id, const std::string& otherwise) {
+  std::string out;
+  for (const char c : id.substr(0, longest)) {
+    if (is_plain(c)) {
+      out += c;
+    } else if (!out.ends_with('-')) {
+      out += '-';
+    }
+  }
+  out.erase(0, out.find_first_not_of(".-"));  // never hidden, never an option of a command, never ".."
+  while (out.ends_with('.') || out.ends_with('-')) out.pop_back();
+  return out.empty() ? otherwise : out;
+}
+
+class Unique {
+ public:
+  explicit Unique(std::set<std::string> taken = {}) : taken_(std::move(taken)) {}
+  std::string operator()(const std::string& id, const std::string& otherwise) {
+    const std::string wanted = plain(id, otherwise);
+    std::string name = wanted;
+    for (int n = 2; !taken_.insert(lower(name)).second; ++n) name = wanted + "-" + std::to_string(n);
+    return name;
+  }
+
+ private:
+  static std::string lower(std::string text) {
+    for (char& c : text) {
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return text;
+  }
+  std::set<std::string> taken_;
+};
+
+template <class Wanted, class Visit>
+void each_block(const Report& r, Visit visit) {
+  for (const Section& section : r.sections) {
+    for (const Block& block : section.blocks) {
+      if (const auto* wanted = std::get_if<Wanted>(&block)) visit(*wanted);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<const figure::Figure*> figures_of(const Report& r) {
+  std::vector<const figure::Figure*> all;
+  each_block<figure::Figure>(r, [&](const figure::Figure& f) { all.push_back(&f); });
+  return all;
+}
+
+std::vector<const Picture*> pictures_of(const Report& r) {
+  std::vector<const Picture*> all;
+  each_block<Gallery>(r, [&](const Gallery& gallery) {
+    for (const Picture& picture : gallery.pictures) all.push_back(&picture);
+  });
+  return all;
+}
+
+Names names_of(const Report& r) {
+  Names names;
+  Unique section({"contents", "summary", "checks", "scenario", "provenance"});
+  for (const Section& s : r.sections) names.sections.push_back(section(s.id, "section"));
+  Unique figure, picture, data;
+  for (const figure::Figure* f : figures_of(r)) names.figures.push_back(figure(f->id, "figure"));
+  for (const Picture* p : pictures_of(r)) names.pictures.push_back(picture(p->id, "snapshot"));
+  for (const Data& d : r.data) names.data.push_back(data(d.name, "data"));
+  return names;
+}
+
+std::vector<std::string> files_of(const Names& names) {
+  std::vector<std::string> files{"report.html", "report.pdf"};
+  for (const std::string& name : names.figures) {
+    files.push_back("figures/" + name + ".svg");
+    files.push_back("figures/" + name + ".pdf");
+  }
+  for (const std::string& name : names.pictures) files.push_back("snapshots/" + name + ".png");
+  for (const std::string& name : names.data) files.push_back("data/" + name + ".csv");
+  files.insert(files.end(), {"junit.xml", "results.json"});
+  return files;
+}
+
+std::string data_file(const Report& r, const Names& names, const figure::Figure& f) {
+  for (std::size_t i = 0; i < r.data.size(); ++i) {
+    if (f.data == "data/" + r.data[i].name + ".csv") return "data/" + names.data[i] + ".csv";
+  }
+  return "";
+}
+
+}  // namespace pmreport::document

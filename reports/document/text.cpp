@@ -1,0 +1,71 @@
+#include <glib.h>
+#include <reports/document/text.hpp>
+
+namespace pmreport::document {
+
+namespace {
+
+bool is_control(gunichar c) {
+  if (c == '\t' || c == '\n' || c == '\r') return false;
+  return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0xfffe || c == 0xffff;
+}
+
+}  // namespace
+
+std::string clean(std::string_view raw) {
+  std::string out;
+  out.reserve(raw.size());
+  for (std::size_t i = 0; i < raw.size();) {
+    const auto lead = static_cast<unsigned char>(raw[i]);
+    if (lead < 0x80) {
+      if (!is_control(lead)) out += raw[i];
+      ++i;
+      continue;
+    }
+    const gunichar c = g_utf8_get_char_validated(raw.data() + i, static_cast<gssize>(raw.size() - i));
+    if (c >= 0x80000000u) {  // GLib's two marks for a sequence that is wrong or ends too early
+      out += "\uFFFD";
+      ++i;
+      continue;
+    }
+    const auto length = static_cast<std::size_t>(g_unichar_to_utf8(c, nullptr));
+    if (!is_control(c)) out += raw.substr(i, length);
+    i += length;
+  }
+  return out;
+}
+
+std::string escape(std::string_view raw) {
+  std::string out;
+  for (const char c : clean(raw)) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+std::string base64(std::string_view bytes) {
+  gchar* encoded = g_base64_encode(reinterpret_cast<const guchar*>(bytes.data()), bytes.size());
+  const std::string out = encoded;
+  g_free(encoded);
+  return out;
+}
+
+}  // namespace pmreport::document

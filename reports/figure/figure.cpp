@@ -1,0 +1,23 @@
+#include "reports/figure/figure.hpp"
+
+#include <memory>
+
+#include "reports/figure/layout.hpp"
+#include "reports/figure/surface.hpp"
+
+namespace pmreport::figure {
+
+Size size_of(const Figure& figure) { return lay_out(measuring_context().get(), figure).size; }
+
+void draw(cairo_t* cr, const Figure& figure) {
+  const Layout layout = lay_out(cr, figure);
+  cairo_save(cr);
+  // White paper, so that the picture also reads where it is shown on a dark page.
+  cairo_set_source_rgb(cr, 1, 1, 1);
+  cairo_rectangle(cr, 0, 0, layout.size.width, layout.size.height);
+  cairo_fill(cr);
+  for (std::size_t i = 0; i < layout.panels.size(); ++i) draw_panel(cr, figure.panels[i], layout.panels[i]);
+  cairo_restore(cr);
+}
+
+}  // namespace pmreport::figure

@@ -1,0 +1,222 @@
+// The program: scenario in, report out.
+#include <core/host/catalog.hpp>
+#include <core/mechanics/properties.hpp>
+#include <core/scenario/scenario.hpp>
+#include <reports/document/report.hpp>
+#include <reports/program/describe.hpp>
+#include <reports/section/section.hpp>
+
+#include <fmt/core.h>
+#include <tbb/global_control.h>
+#include <CLI/CLI.hpp>
+
+#include <unistd.h>
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
+
+namespace {
+
+using namespace pmreport;
+namespace fs = std::filesystem;
+
+// Part of the interface, in README.md.
+enum ExitStatus { all_well = 0, gate_failed = 1, bad_scenario = 2, plugin_failed = 3, output_failed = 4, resource_limit = 5 };
+
+std::atomic<int> stop_signal{0};
+void on_signal(int number) { stop_signal = number; }
+bool stop_asked() { return stop_signal != 0; }
+
+struct Options {
+  std::string scenario, out;
+  std::vector<fs::path> plugin_path;
+  bool check_only = false, quiet = false;
+  int threads = 0;
+};
+
+// One line on a terminal, overwritten; nothing in a pipe or a log.
+class Terminal {
+ public:
+  explicit Terminal(bool quiet) {
+    const char* term = std::getenv("TERM");
+    live_ = !quiet && isatty(STDERR_FILENO) != 0 && std::getenv("CI") == nullptr && (term == nullptr || std::string_view(term) != "dumb");
+  }
+  ~Terminal() { clear(); }
+  void say(const std::string& what) {
+    if (live_) fmt::print(stderr, "\r\x1b[K{}", what), std::fflush(stderr), used_ = true;
+  }
+  void clear() {
+    if (used_) fmt::print(stderr, "\r\x1b[K"), std::fflush(stderr), used_ = false;
+  }
+
+ private:
+  bool live_ = false, used_ = false;
+};
+
+scenario::MechanismSource source_of(const host::Catalog& catalog) {
+  scenario::MechanismSource source;
+  source.find = [&catalog](const std::string& name) {
+    const host::Entry* entry = catalog.find(name);
+    return entry != nullptr ? entry->mechanism : nullptr;
+  };
+  for (const host::Entry& e : catalog.entries()) source.names.push_back(e.name);
+  return source;
+}
+
+void tell_refused(const host::Catalog& catalog) {
+  for (const std::string& sentence : catalog.refused()) fmt::print(stderr, "warning: {}\n", sentence);
+}
+
+int run(const Options& options) {
+  const host::Catalog catalog(host::search_folders(options.plugin_path));
+  tell_refused(catalog);
+  const scenario::Loaded loaded = scenario::load(options.scenario, source_of(catalog));
+  if (options.check_only) {
+    if (!options.quiet)
+      fmt::print("{}: valid, {} samples, {} sections\n", options.scenario, loaded.scenario.motion.time.size(),
+                 loaded.scenario.sections.size());
+    return all_well;
+  }
+  Terminal terminal(options.quiet);
+  const section::Progress progress{[&](const std::string& what) { terminal.say(what); },
+                                   [] {
+                                     if (stop_asked()) throw document::Interrupted("interrupted");
+                                   }};
+  const document::Report report =
+      section::make_report(loaded.scenario, *loaded.machine, PMREPORT_VERSION, catalog.find(loaded.scenario.mechanism)->build, progress);
+  const std::string folder = options.out.empty() ? fs::path(options.scenario).stem().string() + "-report" : options.out;
+  terminal.say("writing " + folder);
+  document::write(report, folder, stop_asked);
+  terminal.clear();
+  if (!options.quiet) program::print_verdict(report, folder);
+  return report.passed() ? all_well : gate_failed;
+}
+
+int list(const Options& options) {
+  const host::Catalog catalog(host::search_folders(options.plugin_path));
+  tell_refused(catalog);
+  for (const host::Entry& e : catalog.entries()) fmt::print("{:<16} {}\n{:<16} {}\n", e.name, e.mechanism->title, "", e.file.string());
+  if (catalog.entries().empty()) {
+    fmt::print(stderr, "no mechanism found; searched:\n");
+    for (const fs::path& f : catalog.folders()) fmt::print(stderr, "  {}\n", f.string());
+    return plugin_failed;
+  }
+  return all_well;
+}
+
+// A mechanism by name, or those of a library file given by its path.
+std::vector<const pm_mechanism*> mechanisms_named(const host::Catalog& catalog, const std::string& name) {
+  if (name.find('/') != std::string::npos || name.ends_with(".so")) return host::load_plugin(name).mechanisms;
+  if (const host::Entry* e = catalog.find(name)) return {e->mechanism};
+  std::string known;
+  for (const host::Entry& e : catalog.entries()) known += (known.empty() ? "" : ", ") + e.name;
+  throw host::PluginError(fmt::format("no mechanism is called '{}'; known: {}", name, known.empty() ? "none" : known));
+}
+
+int describe(const Options& options, const std::string& name, bool json) {
+  const host::Catalog catalog(host::search_folders(options.plugin_path));
+  for (const pm_mechanism* m : mechanisms_named(catalog, name)) {
+    const mechanics::Machine machine(*m, default_values(mechanics::describe(*m)));
+    fmt::print("{}", json ? program::describe_json(machine) : program::describe_text(machine));
+  }
+  return all_well;
+}
+
+int check(const Options& options, const std::string& name, int poses) {
+  const host::Catalog catalog(host::search_folders(options.plugin_path));
+  bool passed = true;
+  for (const pm_mechanism* m : mechanisms_named(catalog, name)) {
+    const mechanics::Machine machine(*m, default_values(mechanics::describe(*m)));
+    passed = program::print_properties(machine, poses) && passed;
+  }
+  return passed ? all_well : gate_failed;
+}
+
+// Runs `f` and turns every error into a sentence on stderr and the exit status that README.md promises.
+template <class F>
+int guarded(F&& f) {
+  try {
+    return f();
+  } catch (const scenario::ScenarioError& e) {
+    for (const scenario::Diagnostic& d : e.diagnostics) fmt::print(stderr, "{}\n", to_string(d));
+    if (e.diagnostics.size() > 1) fmt::print(stderr, "{} errors\n", e.diagnostics.size());
+    return bad_scenario;
+  } catch (const host::PluginError& e) {
+    fmt::print(stderr, "error: {}\n", e.what());
+    return plugin_failed;
+  } catch (const mechanics::MechanismError& e) {
+    fmt::print(stderr, "error: the mechanism's plugin failed: {}\n", e.what());
+    return plugin_failed;
+  } catch (const document::Interrupted&) {
+    fmt::print(stderr, "interrupted; an earlier report is untouched\n");
+    return 128 + stop_signal;
+  } catch (const document::OutputError& e) {
+    fmt::print(stderr, "error: {}\n", e.what());
+    return output_failed;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "error: out of memory; ask for fewer samples or smaller pictures\n");
+    return resource_limit;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "error: {}\n", e.what());
+    return resource_limit;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // The handler only raises a flag: work stops between two samples, pictures or files, and takes its temporary files along.
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
+
+  CLI::App app("pmreport: reports about parallel manipulators that an engineer can believe", "pmreport");
+  app.set_version_flag("--version", std::string("pmreport ") + PMREPORT_VERSION);
+  Options options;
+  std::string name;
+  bool json = false;
+  int poses = 1000;
+  app.add_option("scenario", options.scenario, "scenario to report on, a TOML file");
+  app.add_option("-o,--out", options.out, "folder of the report (default: the scenario's name with -report, here)");
+  app.add_flag("--check", options.check_only, "validate the scenario only; write nothing");
+  app.add_flag("-q,--quiet", options.quiet, "print errors only");
+  app.add_option("--plugin-path", options.plugin_path, "folder with plugins, searched first; may be repeated");
+  app.add_option("--threads", options.threads, "threads to use (default: all cores); the report does not depend on it")
+      ->check(CLI::PositiveNumber);
+
+  CLI::App* list_command = app.add_subcommand("list", "list the mechanisms and their files");
+  CLI::App* describe_command = app.add_subcommand("describe", "describe a mechanism: coordinates, actuators, parameters, joints");
+  describe_command->add_option("name", name, "mechanism, or the path of a plugin library")->required();
+  describe_command->add_flag("--json", json, "for programs");
+  CLI::App* check_command = app.add_subcommand("check", "run the property suite over a mechanism");
+  check_command->add_option("name", name, "mechanism, or the path of a plugin library")->required();
+  check_command->add_option("--poses", poses, "random poses (default 1000)")->check(CLI::Range(0, 1000000));
+  for (CLI::App* c : {list_command, describe_command, check_command}) c->fallthrough();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    const int status = app.exit(e);
+    return status == 0 ? all_well : bad_scenario;
+  }
+  std::optional<tbb::global_control> threads;
+  if (options.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+
+  const int status = guarded([&] {
+    if (*list_command) return list(options);
+    if (*describe_command) return describe(options, name, json);
+    if (*check_command) return check(options, name, poses);
+    if (options.scenario.empty()) {
+      fmt::print(stderr, "{}", app.help());
+      return static_cast<int>(bad_scenario);
+    }
+    return run(options);
+  });
+  if (std::fflush(stdout) != 0 && status == all_well) {
+    fmt::print(stderr, "error: standard output could not be written\n");
+    return output_failed;
+  }
+  return status;
+}

@@ -1,0 +1,167 @@
+#include <core/mechanics/properties.hpp>
+#include <core/scenario/units.hpp>
+#include <reports/program/describe.hpp>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+namespace pmreport::program {
+
+using mechanics::Machine;
+using mechanics::ParameterInfo;
+
+namespace {
+
+const char* word_of(JointKind k) {
+  switch (k) {
+    case JointKind::revolute:
+      return "revolute";
+    case JointKind::prismatic:
+      return "prismatic";
+    case JointKind::universal:
+      return "universal";
+    case JointKind::spherical:
+      return "spherical";
+    case JointKind::cylindrical:
+      return "cylindrical";
+  }
+  return "";
+}
+
+// A number of SI unit `unit` as a scenario would write it.
+std::string quantity(double si, const std::string& display) {
+  const std::optional<Unit> unit = parse_unit(display);
+  const std::string number = format_number(unit ? si / unit->factor : si, 6);
+  return display.empty() ? number : number + " " + display;
+}
+std::string display_of(const std::string& si) { return si == "m" ? "mm" : si == "rad" ? "deg" : si; }
+
+std::string default_of(const ParameterInfo& p) {
+  if (p.kind == PM_CHOICE) return p.choices[static_cast<std::size_t>(p.defaults[0])];
+  std::string out;
+  for (const double x : p.defaults) out += (out.empty() ? "" : ", ") + quantity(x, p.display);
+  return p.kind == PM_NUMBERS ? "[" + out + "]" : out;
+}
+std::string range_of(const ParameterInfo& p) {
+  if (p.kind != PM_CHOICE) return fmt::format("{} to {}", quantity(p.min, p.display), quantity(p.max, p.display));
+  std::string out;
+  for (const std::string& c : p.choices) out += (out.empty() ? "" : " | ") + c;
+  return out;
+}
+
+}  // namespace
+
+std::string describe_text(const Machine& m) {
+  const Topology& t = m.topology();
+  std::string out = fmt::format("{}\n{}\nsource: {}\n\nindependent coordinates\n", m.info().name, m.info().title, m.info().source);
+  for (const Coordinate& c : t.coordinates)
+    out += fmt::format("  {:<8} {:<24} home {:<12} box {} to {}\n", c.name, c.title, quantity(c.home, display_of(c.unit)),
+                       quantity(c.box.min, display_of(c.unit)), quantity(c.box.max, display_of(c.unit)));
+  for (const Derived& d : t.derived)
+    out += fmt::format("  {:<8} {:<24} {}\n", d.name, d.title, d.dependent ? "dependent: follows from the others" : "derived");
+  out += "\nactuators\n";
+  for (const Actuator& a : t.actuators)
+    out += fmt::format("  {:<8} {:<24} stroke {} to {}\n", a.name, a.title, quantity(a.stroke.min, display_of(a.unit)),
+                       quantity(a.stroke.max, display_of(a.unit)));
+  for (const Constraint& c : t.constraints) out += fmt::format("  {:<8} {} [{}]\n", c.name, c.title, c.unit);
+  out += "\nparameters\n";
+  for (const ParameterInfo& p : m.info().parameters)
+    out += fmt::format("  {:<24} {}\n  {:<24} default {}, {}\n", p.name, p.title, "", default_of(p), range_of(p));
+  out += "\njoints\n";
+  for (const Joint& j : t.joints)
+    out += fmt::format("  {:<4} {:<12} {} – {}\n", j.name, word_of(j.kind), t.bodies[static_cast<std::size_t>(j.a)].name,
+                       t.bodies[static_cast<std::size_t>(j.b)].name);
+  return out;
+}
+
+std::string describe_json(const Machine& m) {
+  using Json = nlohmann::ordered_json;
+  const Topology& t = m.topology();
+  Json j{{"schema_version", 1}, {"name", m.info().name}, {"title", m.info().title}, {"source", m.info().source}, {"dof", m.dof()}};
+  for (const Coordinate& c : t.coordinates)
+    j["coordinates"].push_back(
+        {{"name", c.name}, {"title", c.title}, {"unit", c.unit}, {"home", c.home}, {"min", c.box.min}, {"max", c.box.max}});
+  j["derived"] = Json::array();
+  for (const Derived& d : t.derived)
+    j["derived"].push_back({{"name", d.name}, {"title", d.title}, {"unit", d.unit}, {"dependent", d.dependent}});
+  for (const Actuator& a : t.actuators)
+    j["actuators"].push_back({{"name", a.name},
+                              {"title", a.title},
+                              {"unit", a.unit},
+                              {"joint", t.joints[static_cast<std::size_t>(a.joint)].name},
+                              {"stroke_min", a.stroke.min},
+                              {"stroke_max", a.stroke.max}});
+  j["constraints"] = Json::array();
+  for (const Constraint& c : t.constraints) j["constraints"].push_back({{"name", c.name}, {"title", c.title}, {"unit", c.unit}});
+  j["parameters"] = Json::array();
+  for (const ParameterInfo& p : m.info().parameters) {
+    Json o{{"name", p.name}, {"title", p.title}};
+    if (p.kind == PM_CHOICE) {
+      o["choices"] = p.choices;
+      o["default"] = p.choices[static_cast<std::size_t>(p.defaults[0])];
+    } else {
+      o["unit"] = p.unit;
+      o["default"] = p.kind == PM_NUMBER ? Json(p.defaults[0]) : Json(p.defaults);
+      o["min"] = p.min;
+      o["max"] = p.max;
+    }
+    j["parameters"].push_back(o);
+  }
+  for (const Body& b : t.bodies) {
+    const Eigen::Vector3d& c = b.inertia.centre;
+    const Eigen::Matrix3d& i = b.inertia.about_centre;
+    j["bodies"].push_back({{"name", b.name},
+                           {"limb", b.limb},
+                           {"slender", b.slender},
+                           {"mass", b.inertia.mass},
+                           {"centre_of_mass", {c.x(), c.y(), c.z()}},
+                           {"inertia", {{i(0, 0), i(0, 1), i(0, 2)}, {i(1, 0), i(1, 1), i(1, 2)}, {i(2, 0), i(2, 1), i(2, 2)}}}});
+  }
+  for (std::size_t k = 0; k < t.joints.size(); ++k) {
+    const Joint& joint = t.joints[k];
+    Json limits = Json::array();
+    for (const Range& r : joint.limits) limits.push_back({r.min, r.max});
+    j["joints"].push_back({{"name", joint.name},
+                           {"kind", word_of(joint.kind)},
+                           {"a", t.bodies[static_cast<std::size_t>(joint.a)].name},
+                           {"b", t.bodies[static_cast<std::size_t>(joint.b)].name},
+                           {"limits", limits}});
+  }
+  j["platform"] = t.bodies[static_cast<std::size_t>(t.platform)].name;
+  j["idle_freedoms"] = t.idle;
+  return j.dump(2) + "\n";
+}
+
+bool print_properties(const Machine& machine, int poses) {
+  fmt::print("{}: home and {} random poses\n\n{:<50} {:>9} {:>9}      \n", machine.info().name, poses, "property", "worst", "allowed");
+  bool passed = true;
+  for (const mechanics::Property& p : check_properties(machine, {poses, 1})) {
+    fmt::print("{:<50} {:>9.1e} {:>9.0e} {:<4} {}\n", p.claim, p.worst, p.tolerance, p.unit, p.passed() ? "pass" : "FAIL");
+    if (!p.passed()) fmt::print("    {}; worst: {}\n", p.how, p.where);
+    passed = passed && p.passed();
+  }
+  return passed;
+}
+
+void print_verdict(const document::Report& report, const std::string& folder) {
+  int checks = 0, failed = 0, proofs = 0;
+  for (const document::Check& c : report.checks) {
+    ++checks;
+    if (c.passed) continue;
+    ++failed;
+    fmt::print("FAILED  {}: {}\n", c.name, c.message);
+  }
+  for (const document::Section& s : report.sections)
+    for (const document::Block& b : s.blocks)
+      if (const auto* p = std::get_if<document::Proof>(&b))
+        for (const document::Evidence& e : p->lines) {
+          ++proofs;
+          if (e.passed()) continue;
+          ++failed;
+          fmt::print("FAILED  {}: {}: {:.3g} exceeds {:.3g} ({})\n", s.title, e.claim, e.value, e.tolerance, e.how);
+        }
+  fmt::print("{}: {} checks, {} lines of evidence{}; {}/report.html\n", failed == 0 ? "passed" : "FAILED", checks, proofs,
+             failed > 0 ? fmt::format(", {} failed", failed) : "", folder);
+}
+
+}  // namespace pmreport::program

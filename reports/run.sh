@@ -1,0 +1,27 @@
+#!/bin/sh
+# sh reports/run.sh [SCENARIO] [FOLDER]: builds pmreport and makes a report. Without arguments, the one of the 4SPS-SPR manipulator, into
+# build/report. A scenario by bare name is one of 4sps-spr's: "figure2".
+set -eu
+here=$(pwd)
+cd "$(dirname "$0")/.."
+# shellcheck source=reports/packages.sh
+. reports/packages.sh
+
+absolute() { case $1 in /*) echo "$1" ;; *) echo "$here/$1" ;; esac; }
+scenario=plugins/4sps-spr/figure2.toml
+case ${1-} in
+  '') ;;
+  */* | *.toml) scenario=$(absolute "$1") ;;
+  *) scenario=plugins/4sps-spr/$1.toml ;;
+esac
+folder=build/report
+[ -z "${2-}" ] || folder=$(absolute "$2")
+
+# shellcheck disable=SC2086  # a list of words
+install_packages $program_packages
+[ -f build/build.ninja ] || cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DPMREPORT_TESTS=OFF
+cmake --build build --parallel "$(nproc)" --target pmreport plugins/all
+
+build/bin/pmreport "$scenario" --out "$folder" && status=0 || status=$?
+[ ! -f "$folder/report.html" ] || echo "The report: $folder/report.html and $folder/report.pdf"
+exit "$status"

@@ -1,0 +1,118 @@
+// One run of a scenario through the mechanics: every sample's output columns, what broke a limit or could not be reached, and the residuals
+// that prove the numbers. Sections draw on it; they compute no mechanics of their own.
+#pragma once
+
+#include <core/mechanics/columns.hpp>
+#include <core/mechanics/generic_model.hpp>
+#include <core/scenario/scenario.hpp>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace pmreport::section {
+
+// The residuals kept of each sample. Relative ones are dimensionless.
+enum class Measure : std::size_t {
+  gap,                      // joint centres as both bodies carry them [m]
+  misalignment,             // joint axes as both bodies carry them [rad]
+  round_trip,               // coordinates recovered from the actuators
+  velocity,                 // twists by jets in the generic constraints
+  jacobian,                 // G twist against actuator rates by jets
+  forward_velocity,         // twist recovered from the actuator rates
+  difference_rate,          // jets against differences in extended precision
+  acceleration,             // twist rates by jets in the differentiated constraints
+  jacobian_rate,            // G twist rate + G' twist against actuator accelerations by jets
+  forward_acceleration,     // twist rate recovered from the actuator accelerations
+  difference_acceleration,  // jets against second differences in extended precision
+  statics,                  // actuator forces by G against the system over all bodies
+  equilibrium,              // unbalanced force or moment of any body in that system
+  power,                    // virtual power of actuators, load and weights
+  count
+};
+
+enum class Condition : std::uint8_t { good, singular, unreachable, failed };
+
+struct Worst {
+  double value = 0;  // largest over the samples
+  int sample = -1;   // where; -1: nowhere computed
+  int compared = 0;  // number of samples that it was computed of
+};
+
+struct LimitBreach {    // one limited quantity that leaves its range
+  std::string subject;  // "l3 (length of limb 3)", "A2 (deflection of the ball joint)"
+  std::string unit;     // SI
+  std::vector<int> samples;
+  int worst = 0;  // sample with the largest excess
+  double value = 0, limit = 0;
+  bool above = false;  // above the upper end, else below the lower
+  bool stroke = false;
+};
+
+struct Interval {
+  int first, last;  // samples, inclusive
+};
+
+struct Crossing {  // det G changes its sign between two samples
+  int before;
+};
+
+// What the program does while it works: tell, and ask whether to stop (then throw).
+struct Progress {
+  std::function<void(const std::string&)> say = [](const std::string&) {};
+  std::function<void()> stop_if_asked = [] {};
+};
+
+class Analysis {
+ public:
+  // Throws mechanics::MechanismError when the plugin breaks down on the way.
+  Analysis(const scenario::Scenario& scenario, const mechanics::Machine& machine, const Progress& progress);
+
+  const scenario::Scenario& scenario() const { return scenario_; }
+  const mechanics::Machine& machine() const { return machine_; }
+  const std::vector<double>& time() const { return scenario_.motion.time; }
+  int samples() const { return static_cast<int>(time().size()); }
+
+  // Columns of a section in the order of columns_of; NaN where a sample has no value.
+  const std::vector<double>& column(const std::string& name) const { return columns_.at(name); }
+  double largest(const std::vector<std::string>& columns) const;  // magnitude over the samples
+
+  Condition condition(int sample) const { return conditions_[static_cast<std::size_t>(sample)]; }
+  int count(Condition c) const;
+  const std::string& why(int sample) const;  // of a sample that is not good
+  Worst worst(Measure m) const;
+
+  const std::vector<LimitBreach>& breaches() const { return breaches_; }
+  const std::vector<Crossing>& crossings() const { return crossings_; }
+  std::vector<Interval> broken() const;       // runs of samples that break some limit
+  std::vector<Interval> unreachable() const;  // runs of samples without a pose
+
+  mechanics::Pose pose(int sample) const;
+  int sample_at(double time) const;  // nearest
+
+  const mechanics::Mobility& mobility() const { return mobility_; }
+  double length() const { return length_; }  // characteristic length [m]
+
+  // Beyond this condition number of G an answer has lost too many digits to be compared with another; beyond `singular` it is none.
+  static constexpr double comparable = 1e7, singular = 1e11;
+
+ private:
+  void run(const Progress& progress);
+  void find_breaches();
+
+  const scenario::Scenario& scenario_;
+  const mechanics::Machine& machine_;
+  double length_;
+  mechanics::Mobility mobility_;
+  std::map<std::string, std::vector<double>> columns_;
+  std::vector<Condition> conditions_;
+  std::map<int, std::string> why_;
+  std::vector<std::array<double, static_cast<std::size_t>(Measure::count)>> measures_;  // NaN: not computed
+  std::vector<LimitBreach> breaches_;
+  std::vector<Crossing> crossings_;
+};
+
+}  // namespace pmreport::section

@@ -1,0 +1,121 @@
+// The gates of a report.
+#include <reports/section/section.hpp>
+#include <reports/section/words.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace pmreport::section {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+struct Found {
+  double value = nan;
+  int sample = -1;  // where; -1: not at a single sample
+};
+
+// One column reduced to one number; NaN when it has no value to reduce.
+Found reduce(const Analysis& a, const scenario::Check& c, const std::vector<double>& column) {
+  const auto value = [&](int k) {
+    const double x = column[static_cast<std::size_t>(k)];
+    return c.absolute ? std::abs(x) : x;
+  };
+  Found f;
+  if (c.reduction == "at") {  // linear between the two samples around the time
+    const std::vector<double>& t = a.time();
+    const auto after = std::upper_bound(t.begin(), t.end(), c.time);
+    const int right = std::clamp(static_cast<int>(after - t.begin()), 1, a.samples() - 1), left = right - 1;
+    const double share =
+        (c.time - t[static_cast<std::size_t>(left)]) / (t[static_cast<std::size_t>(right)] - t[static_cast<std::size_t>(left)]);
+    f.value = share <= 0 ? value(left) : share >= 1 ? value(right) : value(left) * (1 - share) + value(right) * share;
+    return f;
+  }
+  double squares = 0;
+  int count = 0;
+  for (int k = 0; k < a.samples(); ++k) {
+    const double x = value(k);
+    if (!std::isfinite(x)) continue;
+    ++count;
+    squares += x * x;
+    if (f.sample < 0 || (c.reduction == "max" ? x > f.value : x < f.value)) f = {x, k};
+  }
+  if (c.reduction == "rms") return {count > 0 ? std::sqrt(squares / count) : nan, -1};
+  return f;
+}
+
+document::Check evaluate(const Analysis& a, const scenario::Check& c) {
+  document::Check out;
+  out.line = c.line;
+  out.unit = c.unit;
+  // Of a group the column counts that comes nearest to breaking the bound.
+  Found low, high;
+  std::string low_name, high_name;
+  bool complete = true;
+  for (const std::string& name : c.columns) {
+    const Found f = reduce(a, c, a.column(name));
+    complete = complete && std::isfinite(f.value);
+    if (!(f.value <= high.value)) high = f, high_name = name;
+    if (!(f.value >= low.value)) low = f, low_name = name;
+  }
+  const auto judge = [&](const Found& f, const std::string& column, double bound, bool below) {
+    const bool passed = complete && (below ? f.value < bound : f.value > bound);
+    out.passed = out.passed && passed;
+    if (!out.limit.empty()) out.limit += ", ";
+    out.limit += (below ? "< " : "> ") + show(bound, c.unit, 6);
+    if (out.measured.empty() || !passed) {
+      out.value = f.value;
+      out.bound = bound;
+      out.measured = complete ? show(f.value, c.unit, 6) : "no value";
+    }
+    if (passed) return;
+    if (!complete)
+      out.message = "a column has no value to judge: no sample of it could be computed";
+    else
+      out.message = fmt::format("{}{}: {} is {}, which is not {} {}", f.sample >= 0 ? "t = " + show_time(a, f.sample) + ": " : "", c.that,
+                                column, show(f.value, c.unit, 6), below ? "below" : "above", show(bound, c.unit, 6));
+  };
+  out.passed = true;
+  if (c.below) judge(high, high_name, *c.below, true);
+  if (c.above) judge(low, low_name, *c.above, false);
+  out.name = c.that + " " + out.limit;
+  return out;
+}
+
+// What every report demands of its motion.
+document::Check demand(const std::string& name, int broken, const std::string& measured, const std::string& message) {
+  document::Check c;
+  c.name = name;
+  c.measured = measured;
+  c.limit = "none";
+  c.value = broken;
+  c.passed = broken == 0;
+  if (!c.passed) c.message = message;
+  return c;
+}
+
+}  // namespace
+
+std::vector<document::Check> evaluate_checks(const Analysis& a) {
+  std::vector<document::Check> out;
+  for (const scenario::Check& c : a.scenario().checks) out.push_back(evaluate(a, c));
+
+  int broken = 0;
+  for (const Interval& i : a.broken()) broken += i.last - i.first + 1;
+  const int unreachable = a.count(Condition::unreachable);
+  const std::string of = fmt::format(" of {} samples", a.samples());
+  const auto first = [](const std::vector<std::string>& sentences) { return sentences.empty() ? std::string() : sentences.front(); };
+  out.push_back(demand("every sample can be assembled", unreachable, std::to_string(unreachable) + of, first(reach_sentences(a))));
+  out.push_back(demand("strokes and joint limits are kept", broken, std::to_string(broken) + of,
+                       a.breaches().empty() ? "" : sentence(a, a.breaches().front())));
+  const int singular = a.count(Condition::singular) + static_cast<int>(a.crossings().size());
+  out.push_back(demand("no singular surface is met", singular, plural(singular, "time"), first(singularity_sentences(a))));
+  return out;
+}
+
+}  // namespace pmreport::section

@@ -1,0 +1,162 @@
+// Sections `displacement`, `velocity`, `acceleration`, and the overview.
+#include <reports/section/plots.hpp>
+#include <reports/section/section.hpp>
+#include <reports/section/words.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace pmreport::section {
+
+using document::Paragraph;
+using document::Section;
+using mechanics::Column;
+
+namespace {
+
+void add_panel(figure::Figure& f, const Analysis& a, const std::string& title, const std::string& axis, const std::string& unit,
+               const std::vector<Curve>& curves) {
+  if (!curves.empty()) f.panels.push_back(panel(a, title, axis, unit, curves));
+}
+
+bool linear_drives(const Analysis& a) { return a.machine().topology().actuators.front().unit == "m"; }
+
+std::vector<Column> columns_in(const Analysis& a, const std::string& section, std::initializer_list<std::string_view> groups) {
+  std::vector<Column> out;
+  for (const Column& c : mechanics::columns_of(section, a.machine().topology()))
+    if (std::find(groups.begin(), groups.end(), c.group) != groups.end()) out.push_back(c);
+  return out;
+}
+
+void add_actuators(figure::Figure& f, const Analysis& a, const std::string& section, const std::string& suffix, const std::string& words,
+                   const std::string& per) {
+  for (const std::string unit : {"m", "rad"}) add_panel(f, a, words, words, unit + per, group(a, section, "actuator" + suffix, unit + per));
+}
+
+}  // namespace
+
+Section displacement_section(const Analysis& a) {
+  Section s{"displacement", "displacement", "Displacement", {}};
+  for (const std::string& line : reach_sentences(a)) s.blocks.push_back(Paragraph{Paragraph::Tone::warning, line});
+  for (const LimitBreach& b : a.breaches()) s.blocks.push_back(Paragraph{Paragraph::Tone::warning, sentence(a, b)});
+
+  const Topology& t = a.machine().topology();
+  std::string dependent;
+  for (const Derived& d : t.derived)
+    if (d.dependent) dependent += fmt::format("{}{} ({})", dependent.empty() ? "" : ", ", symbol(d.name), d.title);
+  std::string words =
+      fmt::format("The platform follows {} prescribed coordinates; actuator values follow by inverse displacement.", a.machine().dof());
+  if (!dependent.empty()) words += fmt::format(" Dependent, from the constraint of the limbs: {}.", dependent);
+  s.blocks.push_back(Paragraph{Paragraph::Tone::plain, words});
+
+  figure::Figure f{"displacement",
+                   "Pose of the platform, actuators, and joint motions from home, against time.",
+                   "data/displacement.csv",
+                   figure::Width::full,
+                   2,
+                   {}};
+  add_panel(f, a, "position", "position", "m", group(a, "displacement", "coordinate", "m"));
+  add_panel(f, a, "orientation", "angle", "rad", group(a, "displacement", "coordinate", "rad"));
+  add_actuators(f, a, "displacement", "", linear_drives(a) ? "actuator length" : "actuator value", "");
+  add_panel(f, a, "joints", "motion from home", "rad", group(a, "displacement", "joint_angle"));
+  s.blocks.push_back(f);
+  s.blocks.push_back(
+      extremes(a, "Extremes over the motion.", columns_in(a, "displacement", {"coordinate", "derived", "actuator", "joint_angle"})));
+  s.blocks.push_back(proof(
+      a,
+      {{Measure::gap, "The joints close", "largest distance of the two images of a joint centre, each carried along by one of its bodies",
+        1e-10 * std::max(1.0, a.length()), "m"},
+       {Measure::misalignment, "The joint axes agree", "largest angle between the two images of a joint axis", 1e-9, "rad"},
+       {Measure::round_trip, "Forward displacement returns the pose",
+        "Newton from a neighbouring pose to the actuator values, against the prescribed coordinates", 1e-8, ""}}));
+  return s;
+}
+
+Section velocity_section(const Analysis& a) {
+  Section s{"velocity", "velocity", "Velocity", {}};
+  for (const std::string& line : singularity_sentences(a)) s.blocks.push_back(Paragraph{Paragraph::Tone::warning, line});
+  s.blocks.push_back(Paragraph{
+      Paragraph::Tone::plain,
+      fmt::format(
+          "Rates are exact derivatives of the geometry. G is the overall Jacobian, G·(v; ω) = (actuator rates; 0), for the twist of the "
+          "platform's reference point in base axes; its condition number takes moments per characteristic length {}.",
+          show(a.length(), "m"))});
+  figure::Figure f{"velocity",
+                   "Rates of the actuators, twist of the platform, and condition of the overall Jacobian.",
+                   "data/velocity.csv",
+                   figure::Width::full,
+                   2,
+                   {}};
+  add_actuators(f, a, "velocity", "_rate", "actuator rate", "/s");
+  add_panel(f, a, "velocity of the platform", "velocity", "m/s", group(a, "velocity", "velocity"));
+  add_panel(f, a, "angular velocity of the platform", "angular velocity", "rad/s", group(a, "velocity", "angular_velocity"));
+  add_panel(f, a, "condition number of G", "condition number", "", {{"condition", ""}});
+  s.blocks.push_back(f);
+  s.blocks.push_back(extremes(a, "Extremes over the motion.",
+                              columns_in(a, "velocity", {"actuator_rate", "velocity", "angular_velocity", "det_G", "condition"})));
+  s.blocks.push_back(proof(
+      a, {{Measure::velocity, "Relative velocities are those the joints allow",
+           "twists of all bodies in the constraints of the generic model, relative to the largest twist", 1e-9, ""},
+          {Measure::jacobian, "Closed form equals the geometry", "G times twist against actuator rates by differentiation, relative", 1e-9,
+           ""},
+          {Measure::forward_velocity, "Forward velocity returns the twist", "twist solved from the actuator rates, relative", 1e-7, ""},
+          {Measure::difference_rate, "Derivatives are exact",
+           "rates of every body and joint against eighth-order differences in extended precision, relative", 1e-11, ""}}));
+  return s;
+}
+
+Section acceleration_section(const Analysis& a) {
+  Section s{"acceleration", "acceleration", "Acceleration", {}};
+  figure::Figure f{
+      "acceleration", "Accelerations of the actuators and of the platform.", "data/acceleration.csv", figure::Width::full, 2, {}};
+  add_actuators(f, a, "acceleration", "_acceleration", "actuator acceleration", "/s^2");
+  add_panel(f, a, "acceleration of the platform", "acceleration", "m/s^2", group(a, "acceleration", "acceleration"));
+  add_panel(f, a, "angular acceleration of the platform", "angular acceleration", "rad/s^2",
+            group(a, "acceleration", "angular_acceleration"));
+  s.blocks.push_back(f);
+  s.blocks.push_back(extremes(a, "Extremes over the motion.",
+                              columns_in(a, "acceleration", {"actuator_acceleration", "acceleration", "angular_acceleration"})));
+  s.blocks.push_back(
+      proof(a, {{Measure::acceleration, "Relative accelerations are those the joints allow",
+                 "accelerations of all bodies in the differentiated constraints of the generic model, relative", 1e-9, ""},
+                {Measure::jacobian_rate, "Closed form equals the geometry",
+                 "G times twist rate plus dG/dt times twist, against actuator accelerations by differentiation, relative", 1e-9, ""},
+                {Measure::forward_acceleration, "Forward acceleration returns the twist rate",
+                 "solved from the actuator accelerations, relative", 1e-7, ""},
+                {Measure::difference_acceleration, "Second derivatives are exact",
+                 "accelerations of every body and joint against eighth-order differences in extended precision, relative", 1e-9, ""}}));
+  return s;
+}
+
+std::vector<Section> overview_section(const Analysis& a) {
+  figure::Figure f{"overview", "The motion at a glance: (a) position and (b) orientation of the platform, then the actuators.",
+                   "",         figure::Width::full,
+                   2,          {}};
+  std::size_t kinds = 0;
+  const auto asked = [&](const char* kind) {
+    const auto& all = a.scenario().sections;
+    return std::any_of(all.begin(), all.end(), [&](const auto& r) { return r.kind == kind; });
+  };
+  const std::string value = linear_drives(a) ? "length" : "value";
+  if (asked("displacement")) {
+    ++kinds;
+    add_panel(f, a, "position", "position", "m", group(a, "displacement", "coordinate", "m"));
+    add_panel(f, a, "orientation", "angle", "rad", group(a, "displacement", "coordinate", "rad"));
+    add_actuators(f, a, "displacement", "", "actuator " + value, "");
+  }
+  if (asked("velocity")) ++kinds, add_actuators(f, a, "velocity", "_rate", "actuator rate", "/s");
+  if (asked("acceleration")) ++kinds, add_actuators(f, a, "acceleration", "_acceleration", "actuator acceleration", "/s^2");
+  if (asked("statics")) {
+    ++kinds;
+    for (const std::string unit : {"N", "N*m"}) {
+      std::vector<Curve> forces = group(a, "statics", "actuator_force", unit);
+      for (const Curve& c : group(a, "statics", "constraint", unit)) forces.push_back(c);
+      add_panel(f, a, unit == "N" ? "forces" : "moments", unit == "N" ? "force" : "moment", unit, forces);
+    }
+  }
+  if (kinds < 3) return {};
+  return {Section{"overview", "overview", "Overview", {f}}};
+}
+
+}  // namespace pmreport::section

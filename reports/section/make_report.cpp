@@ -1,0 +1,102 @@
+// From a scenario and its machine to the report.
+#include <reports/section/plots.hpp>
+#include <reports/section/section.hpp>
+#include <reports/section/words.hpp>
+
+#include <fmt/core.h>
+#include <glib.h>
+
+#include <algorithm>
+#include <set>
+
+namespace pmreport::section {
+
+using document::Paragraph;
+using document::Report;
+
+namespace {
+
+std::string sha256(const std::string& text) {
+  gchar* hex = g_compute_checksum_for_data(G_CHECKSUM_SHA256, reinterpret_cast<const guchar*>(text.data()), text.size());
+  std::string out(hex);
+  g_free(hex);
+  return out;
+}
+
+std::vector<Paragraph> summary(const Analysis& a, const Report& r) {
+  std::vector<Paragraph> out;
+  const auto warn = [&](const std::string& text) { out.push_back({Paragraph::Tone::warning, text}); };
+  for (const std::string& s : reach_sentences(a)) warn(s);
+  for (const std::string& s : singularity_sentences(a)) warn(s);
+  for (const LimitBreach& b : a.breaches()) warn(sentence(a, b));
+  for (const document::Check& c : r.checks)
+    if (!c.passed && c.line > 0) warn("Check failed: " + c.message + ".");
+  constexpr std::size_t shown = 12;
+  if (out.size() > shown) {
+    const std::size_t more = out.size() - shown;
+    out.resize(shown);
+    out.push_back({Paragraph::Tone::warning, fmt::format("{} more in the sections.", plural(static_cast<int>(more), "warning"))});
+  }
+  out.push_back({Paragraph::Tone::plain, fmt::format("{} over {}, {} degrees of freedom. {}", plural(a.samples(), "sample"),
+                                                     show_time(a, a.samples() - 1), a.machine().dof(), a.scenario().load.description)});
+  return out;
+}
+
+// Minimum and maximum of every column: what a program reads from results.json.
+void add_values(Report& r, const Analysis& a, const std::string& section) {
+  for (const mechanics::Column& c : mechanics::columns_of(section, a.machine().topology())) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const double x : a.column(c.name))
+      if (std::isfinite(x)) low = std::min(low, x), high = std::max(high, x);
+    if (low > high) continue;
+    r.values.push_back({section, "min(" + c.name + ")", c.unit, low});
+    r.values.push_back({section, "max(" + c.name + ")", c.unit, high});
+  }
+}
+
+}  // namespace
+
+Report make_report(const scenario::Scenario& s, const mechanics::Machine& m, const std::string& version, const std::string& build,
+                   const Progress& progress) {
+  progress.say(fmt::format("{} samples of {}", s.motion.time.size(), m.info().name));
+  const Analysis a(s, m, progress);
+
+  Report r;
+  r.title = s.title;
+  r.author = s.author;
+  r.description = s.description;
+  r.mechanism_title = m.info().title;
+  r.source = m.info().source;
+  r.scenario_text = s.text;
+  r.provenance = {"pmreport", version, m.info().name, build, s.file.filename().string(), sha256(s.text)};
+  r.checks = evaluate_checks(a);
+
+  const Stage stage(a);
+  std::vector<document::Section> overview = overview_section(a);
+  std::set<std::string> data;
+  int snapshots = 0;
+  for (const scenario::SectionRequest& request : s.sections) {
+    progress.stop_if_asked();
+    progress.say("section " + request.kind);
+    document::Section section;
+    if (request.kind == "mechanism") section = mechanism_section(a, stage);
+    if (request.kind == "snapshots") section = snapshots_section(a, request, stage, progress, ++snapshots);
+    if (request.kind == "displacement") section = displacement_section(a);
+    if (request.kind == "velocity") section = velocity_section(a);
+    if (request.kind == "acceleration") section = acceleration_section(a);
+    if (request.kind == "statics") section = statics_section(a);
+    if (!request.title.empty()) section.title = request.title;
+    if (!mechanics::columns_of(request.kind, m.topology()).empty() && data.insert(request.kind).second) {
+      // The overview stands before the first section of curves.
+      for (document::Section& o : overview) r.sections.push_back(std::move(o));
+      overview.clear();
+      r.data.push_back(data_of(a, request.kind));
+      add_values(r, a, request.kind);
+    }
+    r.sections.push_back(std::move(section));
+  }
+  r.summary = summary(a, r);
+  return r;
+}
+
+}  // namespace pmreport::section

@@ -1,0 +1,100 @@
+#include <reports/section/plots.hpp>
+#include <reports/section/words.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pmreport::section {
+
+using mechanics::Column;
+
+figure::Panel panel(const Analysis& a, const std::string& title, const std::string& axis, const std::string& unit,
+                    const std::vector<Curve>& curves) {
+  std::vector<std::string> names;
+  for (const Curve& c : curves) names.push_back(c.column);
+  const DisplayUnit d = display_unit(unit, a.largest(names));
+  figure::Panel p;
+  p.title = title;
+  p.x = {"time", "s"};
+  p.y = {axis, d.label};
+  for (const Curve& c : curves) {
+    figure::Series s{c.label, a.time(), a.column(c.column), -1};
+    for (double& y : s.y) y *= d.per_si;
+    p.series.push_back(std::move(s));
+  }
+  // A sample stands for the time halfway to its neighbours.
+  const std::vector<double>& t = a.time();
+  const auto band = [&](const Interval& i, figure::Band::Kind kind) {
+    const auto first = static_cast<std::size_t>(i.first), last = static_cast<std::size_t>(i.last);
+    const double from = first > 0 ? (t[first - 1] + t[first]) / 2 : t[first];
+    const double to = last + 1 < t.size() ? (t[last] + t[last + 1]) / 2 : t[last];
+    p.bands.push_back({from, to, kind});
+  };
+  for (const Interval& i : a.broken()) band(i, figure::Band::Kind::limit);
+  for (const Interval& i : a.unreachable()) band(i, figure::Band::Kind::unreachable);
+  return p;
+}
+
+std::vector<Curve> group(const Analysis& a, const std::string& section, const std::string& name, const std::string& unit) {
+  std::vector<Curve> out;
+  for (const Column& c : mechanics::columns_of(section, a.machine().topology())) {
+    if (c.group != name || (!unit.empty() && c.unit != unit)) continue;
+    std::string stem = c.name;
+    for (const char* suffix : {"_rate", "_acceleration", "_force", "_deflection", "_angle"})
+      if (stem.ends_with(suffix) && stem.size() > std::string_view(suffix).size())
+        stem.resize(stem.size() - std::string_view(suffix).size());
+    if (c.group == "velocity" || c.group == "angular_velocity" || c.group == "acceleration" || c.group == "angular_acceleration")
+      stem = c.name.substr(c.name.size() - 1);
+    out.push_back({c.name, symbol(stem)});
+  }
+  return out;
+}
+
+document::Table extremes(const Analysis& a, const std::string& caption, const std::vector<Column>& columns) {
+  document::Table table{
+      caption, {"quantity", "meaning", "smallest", "at", "largest", "at", "unit"}, {false, false, true, true, true, true, false}, {}};
+  for (const Column& c : columns) {
+    const std::vector<double>& x = a.column(c.name);
+    int low = -1, high = -1;
+    for (int k = 0; k < a.samples(); ++k) {
+      const double v = x[static_cast<std::size_t>(k)];
+      if (!std::isfinite(v)) continue;
+      if (low < 0 || v < x[static_cast<std::size_t>(low)]) low = k;
+      if (high < 0 || v > x[static_cast<std::size_t>(high)]) high = k;
+    }
+    if (low < 0) {
+      table.rows.push_back({c.name, c.title, "–", "–", "–", "–", c.unit});
+      continue;
+    }
+    const double smallest = x[static_cast<std::size_t>(low)], largest = x[static_cast<std::size_t>(high)];
+    const DisplayUnit d = display_unit(c.unit, std::max(std::abs(smallest), std::abs(largest)));
+    table.rows.push_back({c.name, c.title, format_number(smallest * d.per_si, 5), show_time(a, low), format_number(largest * d.per_si, 5),
+                          show_time(a, high), d.label});
+  }
+  return table;
+}
+
+document::Proof proof(const Analysis& a, const std::vector<Claim>& claims) {
+  document::Proof p;
+  for (const Claim& c : claims) {
+    const Worst w = a.worst(c.measure);
+    std::string how = c.how;
+    if (w.compared < a.samples()) how += fmt::format(" ({} of {} samples)", w.compared, a.samples());
+    p.lines.push_back({c.claim, how, w.compared > 0 ? w.value : std::numeric_limits<double>::quiet_NaN(), c.tolerance, c.unit});
+  }
+  return p;
+}
+
+document::Data data_of(const Analysis& a, const std::string& section) {
+  document::Data d{section, {"t [s]"}, {a.time()}};
+  for (const Column& c : mechanics::columns_of(section, a.machine().topology())) {
+    d.headings.push_back(c.unit.empty() ? c.name : fmt::format("{} [{}]", c.name, c.unit));
+    d.columns.push_back(a.column(c.name));
+  }
+  return d;
+}
+
+}  // namespace pmreport::section

@@ -1,0 +1,41 @@
+// The kinds of sections. Each turns the analysis into figures, tables, sentences and evidence; none opens a file.
+#pragma once
+
+#include <reports/document/report.hpp>
+#include <reports/scene/scene.hpp>
+#include <reports/section/analysis.hpp>
+
+namespace pmreport::section {
+
+// Cameras shared by all pictures of a report: framed over the whole motion, so that pictures of one view compare.
+class Stage {
+ public:
+  explicit Stage(const Analysis& a);
+  document::Picture picture(const Analysis& a, int sample, const scenario::View& view, const scenario::SectionRequest& r,
+                            const std::string& id) const;
+  document::Picture portrait(const Analysis& a, const std::string& id) const;  // the home pose, with labels and frames
+
+ private:
+  scene::Bounds bounds_;
+  std::vector<Eigen::Vector3d> path_;
+};
+
+document::Section mechanism_section(const Analysis& a, const Stage& stage);
+document::Section snapshots_section(const Analysis& a, const scenario::SectionRequest& r, const Stage& stage, const Progress& progress,
+                                    int number);
+document::Section displacement_section(const Analysis& a);
+document::Section velocity_section(const Analysis& a);
+document::Section acceleration_section(const Analysis& a);
+document::Section statics_section(const Analysis& a);
+
+// Pose, limb lengths, rates, accelerations and forces on one page, when the scenario asks for enough of them.
+std::vector<document::Section> overview_section(const Analysis& a);
+
+// The [[check]] gates, and what every report demands: samples in reach, limits kept, no singular surface crossed.
+std::vector<document::Check> evaluate_checks(const Analysis& a);
+
+// The whole report. `build` is the plugin's, `version` the program's.
+document::Report make_report(const scenario::Scenario& s, const mechanics::Machine& m, const std::string& version, const std::string& build,
+                             const Progress& progress);
+
+}  // namespace pmreport::section

@@ -1,0 +1,55 @@
+// What holds for every text, however mad: it is read, or refused with a reason; nothing else is thrown and nothing that is not finite
+// passes.
+#pragma once
+
+#include <cmath>
+#include <core/scenario/expression.hpp>
+#include <string>
+#include <tests/scenario/stage.hpp>
+
+namespace fuzz {
+
+// The promise that `text` breaks, or nothing.
+inline std::string broken_by_scenario(const std::string& text) {
+  using namespace pmreport::scenario;
+  try {
+    const Loaded loaded = load_text(text, "fuzz.toml", stage::source());
+    const Motion& m = loaded.scenario.motion;
+    if (loaded.machine == nullptr) return "a scenario without a machine";
+    if (m.time.size() < 2) return "a motion without samples";
+    for (const Eigen::MatrixXd* part : {&m.value, &m.rate, &m.acceleration})
+      if (part->rows() != static_cast<Eigen::Index>(m.time.size()) || part->cols() != loaded.machine->dof() || !part->allFinite())
+        return "a motion that is not finite";
+    for (const Eigen::Vector3d& f : loaded.scenario.load.force)
+      if (!f.allFinite()) return "a force that is not finite";
+    if (loaded.scenario.sections.empty()) return "a scenario without sections";
+    for (const Check& c : loaded.scenario.checks)
+      if (c.columns.empty() || (!c.below && !c.above)) return "a check of nothing";
+  } catch (const ScenarioError& e) {
+    if (e.diagnostics.empty()) return "a refusal without a reason";
+    for (const Diagnostic& d : e.diagnostics) {
+      if (d.message.empty() || d.line < 0 || d.column < 0) return "a reason without words or place";
+      for (const char c : to_string(d))
+        if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') return "a control character in a sentence to the user";
+    }
+  }
+  return {};
+}
+
+inline std::string broken_by_expression(const std::string& text) {
+  using namespace pmreport::scenario;
+  for (const Time time : {Time::allowed, Time::forbidden}) {
+    try {
+      const Expression e = Expression::parse(text, time);
+      (void)e.at(0);
+      (void)e.at(0.37);
+      (void)pmreport::name_of(e.dimension());
+    } catch (const ExpressionError& e) {
+      if (e.offset > text.size()) return "a mistake beyond the end of the text";
+      if (std::string(e.what()).empty()) return "a refusal without a reason";
+    }
+  }
+  return {};
+}
+
+}  // namespace fuzz

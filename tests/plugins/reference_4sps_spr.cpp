@@ -1,0 +1,220 @@
+// The 4SPS-SPR against an independent model in 50-digit arithmetic (tests/data/4sps-spr.json), and against the lengths that the paper
+// prints.
+#include <core/mechanics/closed_form.hpp>
+#include <core/mechanics/closure.hpp>
+#include <core/mechanics/generic_model.hpp>
+#include <tests/plugins/four_sps_spr.hpp>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+using namespace pmreport;
+using namespace pmreport::mechanics;
+using Eigen::AngleAxisd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using nlohmann::json;
+
+namespace {
+
+constexpr double tolerance = 1e-9;  // promised; what double precision gives is some 1e-13
+constexpr double deg = std::numbers::pi / 180;
+
+double number(const json& j) { return j.is_string() ? std::stod(j.get<std::string>()) : j.get<double>(); }
+VectorXd vector(const json& j) {
+  VectorXd v(static_cast<Eigen::Index>(j.size()));
+  for (std::size_t i = 0; i < j.size(); ++i) v(static_cast<Eigen::Index>(i)) = number(j[i]);
+  return v;
+}
+Vector3d vector3(const json& j) { return vector(j); }
+
+json reference() {
+  std::ifstream file(TEST_DATA "/4sps-spr.json");
+  REQUIRE(file);
+  return json::parse(file);
+}
+
+// Every number of `seen` equals that of `expected`, relative to the larger of the number itself and of the vector's `scale`; 0: its
+// largest number, which is what an error is to be compared with when a component passes through zero.
+void check_equal(const char* what, const VectorXd& seen, const VectorXd& expected, double scale = 0) {
+  CAPTURE(what, seen.transpose(), expected.transpose());
+  REQUIRE(seen.size() == expected.size());
+  if (scale == 0) scale = expected.lpNorm<Eigen::Infinity>();
+  for (Eigen::Index i = 0; i < seen.size(); ++i)
+    CHECK(std::abs(seen(i) - expected(i)) <= tolerance * std::max(std::abs(expected(i)), scale));
+}
+
+// Angle rates and accelerations from the platform's angular velocity and acceleration. The three axes of Rz(alpha) Ry(beta) Rx(gamma) are
+// Z, Y1 (turned by alpha) and X2 (turned by alpha and beta): w = Z alpha' + Y1 beta' + X2 gamma'. The turning axes have the rates
+// Y1' = alpha' Z x Y1 and X2' = (alpha' Z + beta' Y1) x X2, which e = w' brings along.
+struct AngleRates {
+  Vector3d rates, accelerations;
+};
+AngleRates angle_rates(double alpha, double beta, const Vector3d& w, const Vector3d& e) {
+  const Vector3d z = Vector3d::UnitZ(), y1 = AngleAxisd(alpha, z) * Vector3d::UnitY(),
+                 x2 = AngleAxisd(alpha, z) * AngleAxisd(beta, Vector3d::UnitY()) * Vector3d::UnitX();
+  Eigen::Matrix3d axes;
+  axes << z, y1, x2;
+  const Vector3d rates = axes.inverse() * w;
+  const Vector3d y1_rate = rates(0) * z.cross(y1), x2_rate = (rates(0) * z + rates(1) * y1).cross(x2);
+  return {rates, axes.inverse() * (e - y1_rate * rates(1) - x2_rate * rates(2))};
+}
+
+struct Case {
+  Machine machine;
+  State state;
+};
+
+test::Dependent dependent_of(const json& in) {
+  const std::string axis = in["dependent_axis"];
+  return axis == "X" ? test::x : axis == "Y" ? test::y : test::z;
+}
+
+ParameterValues parameters_of(const json& c, const json& meta) {
+  std::map<std::string, std::vector<double>> changes{{"dependent", {static_cast<double>(dependent_of(c["input"]))}}};
+  const std::string id = c["name"].get<std::string>().substr(0, 3);
+  if (meta["other_parameters"].contains(id)) {
+    const json& other = meta["other_parameters"][id];
+    const Vector3d n = vector3(other["n6p"]);
+    changes["revolute_axis"] = {n.x(), n.y(), n.z()};
+    const json& i = other["I_o"];
+    changes["platform_inertia"] = {number(i[0][0]), number(i[1][1]), number(i[2][2]), number(i[0][1]), number(i[0][2]), number(i[1][2])};
+  }
+  return test::values_with(test::four_sps_spr(), changes);
+}
+
+State state_of(const Machine& machine, const json& in) {
+  const double alpha = number(in["alpha"]), beta = number(in["beta"]), gamma = number(in["gamma"]);
+  const AngleRates angles = angle_rates(alpha, beta, vector3(in["omega"]), vector3(in["epsilon"]));
+  VectorXd q(5), rate(5), acceleration(5);
+  q << vector(in["p_free"]), alpha, beta, gamma;
+  rate << vector(in["v_free"]), angles.rates;
+  acceleration << vector(in["a_free"]), angles.accelerations;
+  State s;
+  evaluate(machine, q.data(), rate.data(), acceleration.data(), s);
+  REQUIRE(s.status == PM_OK);
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("every reference case of the 4SPS-SPR comes out to nine digits") {
+  const json file = reference();
+  REQUIRE(file["cases"].size() == 6);
+  for (const json& c : file["cases"]) {
+    const std::string name = c["name"];
+    DYNAMIC_SECTION(name) {
+      const json &in = c["input"], &out = c["output"];
+      const Machine machine(test::four_sps_spr(), parameters_of(c, file["meta"]));
+      const State s = state_of(machine, in);
+      const BodyState& platform = s.bodies[static_cast<std::size_t>(machine.topology().platform)];
+
+      check_equal("position", platform.origin, vector(out["p"]));
+      for (int r = 0; r < 3; ++r)
+        check_equal("rotation", platform.rotation.row(r).transpose(), vector(out["rotation"][static_cast<std::size_t>(r)]), 1.0);
+      REQUIRE(s.derived.size() == 1);
+      CHECK(machine.topology().derived[0].name == test::pose_names[dependent_of(in)]);
+      check_equal("dependent coordinate", VectorXd::Constant(1, s.derived[0].value), VectorXd::Constant(1, number(out["dependent"])));
+      check_equal("velocity", platform.velocity, vector(out["v"]));
+      check_equal("acceleration", platform.acceleration, vector(out["a"]));
+      check_equal("angular velocity", platform.angular_velocity, vector(in["omega"]));
+      check_equal("angular acceleration", platform.angular_acceleration, vector(in["epsilon"]));
+
+      VectorXd lengths(5);
+      for (int i = 0; i < 5; ++i) lengths(i) = s.actuators[static_cast<std::size_t>(i)].value;
+      check_equal("lengths", lengths, vector(out["lengths"]));
+      check_equal("rates", actuator_rates(s).head(5), vector(out["rates"]));
+      check_equal("accelerations", actuator_accelerations(s).head(5), vector(out["accels"]));
+
+      const auto a5 = static_cast<std::size_t>(test::joint_named(machine, "A5")),
+                 b5 = static_cast<std::size_t>(test::joint_named(machine, "B5"));
+      check_equal("n6", s.joints[b5].axis[0], vector(out["n6"]));
+      check_equal("r6", s.joints[a5].centre - platform.origin, vector(out["A_minus_p_r6"]));
+
+      const ClosedForm g = closed_form(machine, s, characteristic_length(machine));
+      for (int i = 0; i < 6; ++i) {
+        const VectorXd row = vector(out["G"][static_cast<std::size_t>(i)]);
+        check_equal("G, force", g.jacobian.row(i).head(3).transpose(), row.head(3));
+        check_equal("G, moment", g.jacobian.row(i).tail(3).transpose(), row.tail(3));
+      }
+      check_equal("det G", VectorXd::Constant(1, g.determinant), VectorXd::Constant(1, number(out["detG"])));
+      check_equal("V^T H V", g.jacobian_rate * platform.twist(), vector(out["VtHV"]));
+
+      const Vector6d load = (Vector6d() << vector(in["F"]), vector(in["T"])).finished();
+      check_equal("massless statics", closed_statics(g, load), vector(out["statics_massless"]));
+    }
+  }
+}
+
+TEST_CASE("joint angles of the reference cases come out to nine digits") {
+  const json file = reference();
+  for (const json& c : file["cases"]) {
+    const Machine machine(test::four_sps_spr(), parameters_of(c, file["meta"]));
+    const State s = state_of(machine, c["input"]);
+    const Closure closure(machine);
+    const json& angles = c["output"]["angles"];
+    const auto motion = [&](const std::string& joint) { return closure.motion(s.bodies, test::joint_named(machine, joint)).at(0); };
+    for (std::size_t i = 0; i < 5; ++i) {
+      const std::string n = std::to_string(i + 1);
+      CAPTURE(c["name"], n);
+      CHECK(std::abs(motion("A" + n) - number(angles["S_base_deg"][i]) * deg) < tolerance);
+      if (i < 4) CHECK(std::abs(motion("B" + n) - number(angles["S_plat_deg"][i]) * deg) < tolerance);
+    }
+    // The reference counts the turn of limb 5 seen from the platform; a joint's motion is that of its second body, the platform.
+    CHECK(std::abs(motion("B5") + number(angles["R5_deg"]) * deg) < tolerance);
+  }
+}
+
+TEST_CASE("at rest, weights and load together need the forces of the reference") {
+  const json file = reference();
+  int compared = 0;
+  for (const json& c : file["cases"]) {
+    const Machine machine(test::four_sps_spr(), parameters_of(c, file["meta"]));
+    const State s = state_of(machine, c["input"]);
+    if (actuator_rates(s).norm() > 0 || actuator_accelerations(s).norm() > 0) continue;
+    CAPTURE(c["name"]);
+    const Vector3d gravity(0, 0, -9.81);
+    const Vector6d load = (Vector6d() << vector(c["input"]["F"]), vector(c["input"]["T"])).finished();
+    const VectorXd expected = vector(c["output"]["inverse_dynamics"]).head(5);
+    const Vector6d carried = closed_statics(closed_form(machine, s, 0.1), load);
+    check_equal("by virtual work", weight_forces(machine, s, gravity) + carried.head(5), expected);
+
+    VectorXd wrenches = weights(machine, s, gravity);
+    wrenches.segment<6>(6 * machine.topology().platform - 6) += load;
+    const GenericStatics whole = generic_statics(generic_model(machine, s), wrenches);
+    CHECK(whole.residual < tolerance);
+    check_equal("by all bodies", whole.actuator_forces, expected);
+    ++compared;
+  }
+  CHECK(compared == 3);
+}
+
+TEST_CASE("six limb lengths that the paper prints come out within 0.05 mm") {
+  // The printed end pose breaks the revolute joint's own constraint, so no mechanism can take it: the lengths are those of the declared
+  // geometry at that pose, base joints and platform joints read off at home.
+  const Machine machine = test::make_four_sps_spr();
+  const Pose& home = machine.home_pose();
+  const Vector3d home_at = machine.origin(home, machine.topology().platform);
+  const auto length = [&](int limb, const Vector3d& p, const Eigen::Matrix3d& r) {
+    const std::string n = std::to_string(limb);
+    const Vector3d a = machine.centre(home, test::joint_named(machine, "A" + n));
+    const Vector3d b = machine.centre(home, test::joint_named(machine, "B" + n)) - home_at;
+    return (p + r * b - a).norm() * 1e3;
+  };
+  const Eigen::Matrix3d level = Eigen::Matrix3d::Identity(),
+                        end_turn = (AngleAxisd(52.5 * deg, Vector3d::UnitZ()) * AngleAxisd(35 * deg, Vector3d::UnitY()) *
+                                    AngleAxisd(-39.4 * deg, Vector3d::UnitX()))
+                                       .toRotationMatrix();
+  const Vector3d end(-0.1692, 0.5350, 0.4591);
+  constexpr double printed = 0.05;  // [mm], half of the last digit printed
+  CHECK(machine.rotation(home, machine.topology().platform).isIdentity(1e-15));
+  CHECK(std::abs(length(4, home_at, level) - 627.3) < printed);
+  CHECK(std::abs(length(5, home_at, level) - 633.4) < printed);
+  CHECK(std::abs(length(1, end, end_turn) - 951.3) < printed);
+  CHECK(std::abs(length(3, end, end_turn) - 520.0) < printed);
+  CHECK(std::abs(length(4, end, end_turn) - 933.7) < printed);
+  CHECK(std::abs(length(5, end, end_turn) - 1020.8) < printed);
+}

@@ -1,0 +1,12 @@
+#!/bin/sh
+# sh tests/run.sh [CTEST OPTION...]: builds everything and runs the whole test suite.
+set -eu
+cd "$(dirname "$0")/.."
+# shellcheck source=reports/packages.sh
+. reports/packages.sh
+
+# shellcheck disable=SC2086  # lists of words
+install_packages $program_packages $test_packages
+cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DPMREPORT_TESTS=ON -DPMREPORT_WERROR=ON
+cmake --build build --parallel "$(nproc)"
+exec ctest --test-dir build --output-on-failure --parallel "$(nproc)" "$@"
