@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace pmreport::mechanics {
 
@@ -48,7 +49,13 @@ Deviation jets_against_differences(const Machine& machine, const State& state) {
       d.reachable = false;
       return d;
     }
-    for (std::size_t i = 0; i < size; ++i) samples[i][static_cast<std::size_t>(k + 4)] = join(&placement[2 * i]);
+    for (std::size_t i = 0; i < size; ++i) {
+      const Extended x = samples[i][static_cast<std::size_t>(k + 4)] = join(&placement[2 * i]);
+      if (!std::isfinite(x)) {  // a maximum would pass over it
+        d.rate = d.acceleration = std::numeric_limits<double>::infinity();
+        return d;
+      }
+    }
   }
   double rate_scale = 0, acceleration_scale = 0;
   for (std::size_t i = 1; i < size; ++i) {  // 0 is the reach, a margin without meaning of its own

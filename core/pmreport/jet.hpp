@@ -47,6 +47,7 @@ struct Jet {
 
   // Comparisons look at the value alone.
   friend auto operator<(const Jet& x, const Jet& y) { return x.value < y.value; }
+  friend auto operator>(const Jet& x, const Jet& y) { return x.value > y.value; }
   friend auto operator<(const Jet& x, double c) { return x.value < c; }
   friend auto operator>(const Jet& x, double c) { return x.value > c; }
 

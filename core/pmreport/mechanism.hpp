@@ -19,9 +19,11 @@
 #include <pmreport/parameter.hpp>
 #include <pmreport/placement.hpp>
 #include <pmreport/rotation.hpp>
+#include <pmreport/wrench.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <numbers>
@@ -199,6 +201,7 @@ struct Functions {
         why = at.why();
       });
       if (count != 1 || out[0] >= 0) return PM_OK;
+      if (std::isnan(out[0])) return say(text, "the reach of the placement is not a number"), PM_FAILED;
       say(text, why != nullptr ? why : "out of reach");
       return PM_UNREACHABLE;
     });

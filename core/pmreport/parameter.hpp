@@ -86,6 +86,12 @@ std::string sentence(const Part&... parts) {
   return out;
 }
 
+// Refuses the parameters with such a sentence.
+template <class... Part>
+[[noreturn]] void refuse(const Part&... parts) {
+  throw std::invalid_argument(sentence(parts...));
+}
+
 // Validated values of a mechanism's parameters, by name, SI.
 class Parameters {
  public:

@@ -80,6 +80,7 @@ struct Partials {
 
   // Comparisons look at the value alone.
   friend auto operator<(const Partials& x, const Partials& y) { return x.value < y.value; }
+  friend auto operator>(const Partials& x, const Partials& y) { return x.value > y.value; }
   friend auto operator<(const Partials& x, double c) { return x.value < c; }
   friend auto operator>(const Partials& x, double c) { return x.value > c; }
 

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <type_traits>
 
 namespace pmreport {
 
@@ -24,13 +25,15 @@ using std::abs, std::acos, std::asin, std::atan2, std::cos, std::hypot, std::sin
 // choose(mask, a, b): a where the mask holds, else b. The mask of a plain number is a bool, of Lanes one bool a lane.
 inline double choose(bool mask, double a, double b) { return mask ? a : b; }
 inline long double choose(bool mask, long double a, long double b) { return mask ? a : b; }
+inline long double choose(bool mask, long double a, double b) { return mask ? a : b; }
+inline long double choose(bool mask, double a, long double b) { return mask ? a : b; }
 
 template <class T>
-T smaller(const T& a, const T& b) {
+T smaller(const T& a, const std::type_identity_t<T>& b) {
   return choose(a < b, a, b);
 }
 template <class T>
-T larger(const T& a, const T& b) {
+T larger(const T& a, const std::type_identity_t<T>& b) {
   return choose(a < b, b, a);
 }
 template <class T>

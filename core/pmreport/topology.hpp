@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -34,6 +35,10 @@ struct Coordinate {               // independent coordinate of the platform
   std::string name, title, unit;  // unit: "m" or "rad"
   double home = 0;
   Range box{-0.1, 0.1};  // sane values around home, for random poses
+
+  static Coordinate around(double home, double half_box, std::string name, std::string title, std::string unit) {
+    return {std::move(name), std::move(title), std::move(unit), home, {home - half_box, home + half_box}};
+  }
 };
 
 struct Inertia {
@@ -44,6 +49,12 @@ struct Inertia {
   // A body of revolution about its z axis, its centre of mass at height `z`.
   static Inertia axisymmetric(double mass, double z, double transverse, double axial) {
     return {mass, {0, 0, z}, Eigen::Vector3d(transverse, transverse, axial).asDiagonal()};
+  }
+  // A body with its centre of mass at its origin; `i` is xx yy zz xy xz yz.
+  static Inertia central(double mass, std::span<const double> i) {
+    Inertia out{mass, Eigen::Vector3d::Zero(), {}};
+    out.about_centre << i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2];
+    return out;
   }
 };
 
@@ -96,9 +107,20 @@ struct Topology {
   int platform = 0;
   int idle = 0;  // idle freedoms: spins of legs that move nothing else
 
+  // A coordinate of the platform's pose: independent, or dependent on the others.
+  void add(Coordinate x, bool dependent) {
+    if (dependent)
+      derived.push_back({x.name, x.title, x.unit, true});
+    else
+      coordinates.push_back(std::move(x));
+  }
   int add(Body x) { return push(bodies, std::move(x)); }
   int add(Joint x) { return push(joints, std::move(x)); }
   int add(Actuator x) { return push(actuators, std::move(x)); }
+  // Draws a solid cylinder fixed to a body along its z axis, from height `low` to `high` [m].
+  void draw_along_axis(int body, double low, double high, double radius) {
+    shapes.push_back({body, ShapeKind::cylinder, {0, 0, low}, {0, 0, high}, radius});
+  }
 
  private:
   template <class T>

@@ -36,7 +36,7 @@ Curve at_home(const Coordinate& c) {
   return {c.name,
           {},
           [home](double) { return Jet<double>(home); },
-          fmt::format("{} = {} {} (home)", c.name, format_number(home * unit.per_si, 6), unit.label)};
+          fmt::format("{} = {}{}{} (home)", c.name, format_number(home * unit.per_si, 6), unit.label == "°" ? "" : " ", unit.label)};
 }
 
 // One expression for each coordinate; one without stays at home.

@@ -115,29 +115,28 @@ void write_checks(Page& page) {
         html.element("caption", "What the scenario demands of the results");
         html.element("thead", [&] {
           html.element("tr", [&] {
+            html.element("th", {{"scope", "col"}}, "Result");
             html.element("th", {{"scope", "col"}}, "Check");
             html.element("th", {{"scope", "col"}, {"class", "number"}}, "Measured");
             html.element("th", {{"scope", "col"}, {"class", "number"}}, "Limit");
-            html.element("th", {{"scope", "col"}}, "Result");
           });
         });
         html.element("tbody", [&] {
           for (const Check& check : page.report.checks) {
             html.element("tr", [&] {
+              html.element("td", [&] { write_result(page, check.passed); });
               html.element("th", {{"scope", "row"}}, [&] {
                 html.element("div", check.name);
-                const std::string line = "#line-" + std::to_string(check.line);
                 if (check.message.empty() && check.line <= 0) return;
                 html.element("div", {{"class", "how"}}, [&] {
                   html.text(check.message);
                   if (check.line <= 0) return;
                   if (!check.message.empty()) html.text(" ");
-                  html.element("a", {{"href", line}}, "line " + std::to_string(check.line));
+                  html.element("a", {{"href", "#line-" + std::to_string(check.line)}}, "line " + std::to_string(check.line));
                 });
               });
               html.element("td", {{"class", "number"}}, check.measured);
               html.element("td", {{"class", "number"}}, check.limit);
-              html.element("td", [&] { write_result(page, check.passed); });
             });
           }
         });

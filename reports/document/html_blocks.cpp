@@ -89,6 +89,7 @@ void write_gallery(Page& page, const Gallery& gallery) {
   });
 }
 
+// The result comes first: on a narrow screen it is what must not be scrolled out of sight.
 void write_proof(Page& page, const Section& section, const Proof& proof) {
   HtmlWriter& html = page.html;
   write_scroll_box(page, "Evidence: " + section.title, [&] {
@@ -96,22 +97,22 @@ void write_proof(Page& page, const Section& section, const Proof& proof) {
       html.element("caption", "Evidence");
       html.element("thead", [&] {
         html.element("tr", [&] {
+          html.element("th", {{"scope", "col"}}, "Result");
           html.element("th", {{"scope", "col"}}, "Claim, and how it is shown");
           html.element("th", {{"scope", "col"}, {"class", "number"}}, "Value");
           html.element("th", {{"scope", "col"}, {"class", "number"}}, "Tolerance");
-          html.element("th", {{"scope", "col"}}, "Result");
         });
       });
       html.element("tbody", [&] {
         for (const Evidence& line : proof.lines) {
           html.element("tr", [&] {
+            html.element("td", [&] { write_result(page, line.passed()); });
             html.element("th", {{"scope", "row"}}, [&] {
               html.element("div", line.claim);
               if (!line.how.empty()) html.element("div", {{"class", "how"}}, line.how);
             });
             html.element("td", {{"class", "number"}}, rounded(line.value, line.unit));
             html.element("td", {{"class", "number"}}, rounded(line.tolerance, line.unit));
-            html.element("td", [&] { write_result(page, line.passed()); });
           });
         }
       });

@@ -46,11 +46,15 @@ nav .failed { color: var(--bad); font-weight: 700; }
 .note { color: var(--quiet); font-size: .925rem; }
 .result { white-space: nowrap; font-weight: 600; } .result.passed { color: var(--good); } .result.failed { color: var(--bad); }
 
-.scroll { overflow-x: auto; }
-table { border-collapse: collapse; margin: 1.4rem 0; font-size: .925rem; line-height: 1.4; }
+.scroll { overflow-x: auto; margin: 1.4rem 0; background: linear-gradient(to right, #fff 40%, transparent) left / 2rem 100% no-repeat local,
+  linear-gradient(to left, #fff 40%, transparent) right / 2rem 100% no-repeat local,
+  linear-gradient(to right, #0b1c2e33, transparent) left / .7rem 100% no-repeat, linear-gradient(to left, #0b1c2e33, transparent) right / .7rem 100% no-repeat; }
+figure .scroll { margin: 0; }
+table { border-collapse: collapse; font-size: .925rem; line-height: 1.4; }
 caption { text-align: left; font-weight: 600; padding: 0 0 .5rem; }
 th, td { text-align: left; vertical-align: top; padding: .42rem 1.4rem .42rem 0; border-bottom: 1px solid var(--rule); }
 th:last-child, td:last-child { padding-right: .2rem; }
+.proof td:first-child { padding-right: 1rem; }
 thead th { color: var(--quiet); font-weight: 600; vertical-align: bottom; border-bottom: 1px solid var(--ink); }
 tbody th { font-weight: 400; }
 tbody tr:last-child > * { border-bottom-color: var(--ink); }
@@ -98,7 +102,7 @@ dt { color: var(--quiet); } dd { margin: 0; overflow-wrap: anywhere; }
   section { margin-top: 1.6rem; }
   h2, caption, thead { break-after: avoid; }
   figure, tr, .verdict, .warning { break-inside: avoid; }
-  .scroll { overflow: visible; }
+  .scroll { overflow: visible; background: none; }
   .proof, .plot.full svg { min-width: 0; }
   pre { white-space: pre-wrap; overflow: visible; }
   .verdict, .warning, pre { print-color-adjust: exact; -webkit-print-color-adjust: exact; }

@@ -27,7 +27,8 @@ std::string to_case(const Check& check, const std::string& scenario) {
 }
 
 std::string to_case(const Evidence& line, const std::string& section) {
-  const std::string finding = "measured " + rounded(line.value, line.unit) + ", tolerance " + rounded(line.tolerance, line.unit);
+  const std::string measured = std::isfinite(line.value) ? "measured " : "";
+  const std::string finding = measured + rounded(line.value, line.unit) + ", tolerance " + rounded(line.tolerance, line.unit);
   return fmt::format("    <testcase name=\"{}\" classname=\"{}\">\n{}    </testcase>\n", escape(line.claim), section,
                      outcome(line.passed(), "evidence", finding, line.how));
 }

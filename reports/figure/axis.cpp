@@ -44,7 +44,7 @@ Steps round_steps(Interval range, int wanted) {
     steps.first = std::floor(range.low / steps.step() + slack);
     steps.last = std::ceil(range.high / steps.step() - slack);
     const double miss = std::abs(steps.count() - target);
-    if (miss <= best_miss) {  // of equals the larger step: fewer ticks
+    if (miss < best_miss) {  // of equals the smaller step: more ticks
       best = steps;
       best_miss = miss;
     }

@@ -11,11 +11,12 @@ constexpr double column = 0.25;     // [pt] a sample column: below the finest pr
 constexpr double tolerance = 0.03;  // [pt] 0.01 mm, a thirtieth of the curve's width
 constexpr double far = 1e6;         // frame sizes: a segment to there leaves the frame as steeply as one to infinity
 
-double distance(Point p, Point a, Point b) {
+double distance2(Point p, Point a, Point b) {
   const double ux = b.x - a.x, uy = b.y - a.y;
   const double length2 = ux * ux + uy * uy;
   const double s = length2 > 0 ? std::clamp(((p.x - a.x) * ux + (p.y - a.y) * uy) / length2, 0.0, 1.0) : 0;
-  return std::hypot(p.x - a.x - s * ux, p.y - a.y - s * uy);
+  const double dx = p.x - a.x - s * ux, dy = p.y - a.y - s * uy;
+  return dx * dx + dy * dy;
 }
 
 // Liang and Barsky: p + s (q - p) is inside the box for s in [enter, leave].
@@ -121,10 +122,10 @@ Stroke simplify(const Stroke& points, double allowed) {
   while (!open.empty()) {
     const auto [first, last] = open.back();
     open.pop_back();
-    double worst = allowed;
+    double worst = allowed * allowed;
     std::size_t split = first;
     for (std::size_t i = first + 1; i < last; ++i) {
-      const double miss = distance(points[i], points[first], points[last]);
+      const double miss = distance2(points[i], points[first], points[last]);
       if (miss > worst) {
         worst = miss;
         split = i;

@@ -1,7 +1,5 @@
 #include "reports/figure/figure.hpp"
 
-#include <memory>
-
 #include "reports/figure/layout.hpp"
 #include "reports/figure/surface.hpp"
 
@@ -9,10 +7,11 @@ namespace pmreport::figure {
 
 Size size_of(const Figure& figure) { return lay_out(measuring_context().get(), figure).size; }
 
-void draw(cairo_t* cr, const Figure& figure) {
-  const Layout layout = lay_out(cr, figure);
+void draw(cairo_t* cr, const Figure& figure) { draw_layout(cr, figure, lay_out(cr, figure)); }
+
+void draw_layout(cairo_t* cr, const Figure& figure, const Layout& layout) {
   cairo_save(cr);
-  // White paper, so that the picture also reads where it is shown on a dark page.
+  // The paper is drawn, so that the picture also reads where it is shown on a dark page.
   cairo_set_source_rgb(cr, 1, 1, 1);
   cairo_rectangle(cr, 0, 0, layout.size.width, layout.size.height);
   cairo_fill(cr);

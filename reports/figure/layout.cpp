@@ -56,7 +56,7 @@ Margins margins_of(cairo_t* cr, const Panel& panel, PanelLayout& layout) {
                   tick_length + tick_gap + tick_height + title_height(x_title, width)};
   layout.x_title_y = height + tick_length + tick_gap + tick_height + title_gap;
   if (layout.legend_place == PanelLayout::Place::below) {
-    layout.legend.box.x = std::max(0.0, (width - layout.legend.box.width) / 2);
+    layout.legend.box.x = std::min((width - layout.legend.box.width) / 2, width - layout.legend.box.width);
     layout.legend.box.y = height + margins.bottom + legend_below;
     margins.bottom += legend_below + layout.legend.box.height;
   }
@@ -98,7 +98,8 @@ Layout lay_out(cairo_t* cr, const Figure& figure) {
     layout.panels.clear();
     double need_left = 0, need_right = 0;
     for (std::size_t i = 0; i < figure.panels.size(); ++i) {
-      layout.panels.push_back(lay_out_panel(cr, figure.panels[i], grid.cell_width - left - right, grid.frame_height));
+      layout.panels.push_back(
+          lay_out_panel(cr, figure.panels[i], grid.cell_width - left - right, grid.frame_height, grid.cell_width - right));
       layout.panels[i].heading = heading_of(figure, i);
       margins[i] = margins_of(cr, figure.panels[i], layout.panels[i]);
       need_left = std::max(need_left, margins[i].left);

@@ -45,16 +45,18 @@ struct Layout {
 // `cr` only measures text; the layout does not depend on its surface.
 Layout lay_out(cairo_t* cr, const Figure& figure);
 
-// One panel whose frame has this size [pt]; its place on the page is left open.
-PanelLayout lay_out_panel(cairo_t* cr, const Panel& panel, double width, double height);
+// One panel whose frame has this size [pt]; its place on the page is left open. A legend below the frame may be as wide as `room` [pt].
+PanelLayout lay_out_panel(cairo_t* cr, const Panel& panel, double width, double height, double room);
 
+// White paper and every panel.
+void draw_layout(cairo_t* cr, const Figure& figure, const Layout& layout);
 void draw_panel(cairo_t* cr, const Panel& panel, const PanelLayout& layout);
 
 constexpr double tick_length = 2.5;  // [pt]
 constexpr double tick_gap = 1.8;     // [pt] from a tick to its label
 constexpr double title_gap = 2.5;    // [pt] from tick labels to the axis title
 constexpr double heading_gap = 2.5;  // [pt] from the heading to the frame
-constexpr double exit_mark = 3.4;    // [pt] size of the triangle where a curve leaves the frame
+constexpr double exit_mark = 4.2;    // [pt] size of the triangle where a curve leaves the frame
 constexpr double note_distance = 6;  // [pt] from the heading to a note on its line
 
 }  // namespace pmreport::figure

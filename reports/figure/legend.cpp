@@ -1,10 +1,8 @@
 #include "reports/figure/legend.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "reports/figure/palette.hpp"
 #include "reports/figure/shading.hpp"
@@ -29,20 +27,22 @@ Text label_text(cairo_t* cr, const Key& key, double width) {
   return text;
 }
 
-Legend shape(const std::vector<Key>& keys, const std::vector<Extents>& sizes, int columns) {
-  const int count = static_cast<int>(keys.size());
+// Curves and shadings do not share a column: one is narrow, the other wide.
+Legend shape(const std::vector<Key>& keys, const std::vector<Extents>& sizes, int rows) {
   Legend legend;
-  legend.keys = keys;
-  legend.rows = (count + columns - 1) / columns;
-  for (int first = 0; first < count; first += legend.rows) {
-    double widest = 0;
-    for (int i = first; i < std::min(count, first + legend.rows); ++i) widest = std::max(widest, sizes[static_cast<std::size_t>(i)].width);
-    legend.column_widths.push_back(swatch + swatch_gap + std::ceil(widest + 0.5));
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const bool shading_begins = i > 0 && rows > 1 && rows < static_cast<int>(keys.size()) && keys[i].kind != Key::Kind::curve &&
+                                keys[i - 1].kind == Key::Kind::curve;
+    if (legend.columns.empty() || shading_begins || static_cast<int>(legend.columns.back().keys.size()) == rows)
+      legend.columns.emplace_back();
+    Legend::Column& column = legend.columns.back();
+    column.keys.push_back(keys[i]);
+    legend.rows = std::max(legend.rows, static_cast<int>(column.keys.size()));
+    column.width = std::max(column.width, swatch + swatch_gap + std::ceil(sizes[i].width + 0.5));
+    legend.row_height = std::max(legend.row_height, std::ceil(sizes[i].height));
   }
-  for (const Extents& size : sizes) legend.row_height = std::max(legend.row_height, size.height);
-  legend.row_height = std::ceil(legend.row_height);
-  legend.box.width = std::accumulate(legend.column_widths.begin(), legend.column_widths.end(), 2 * padding) +
-                     column_gap * static_cast<double>(legend.column_widths.size() - 1);
+  legend.box.width = 2 * padding + column_gap * static_cast<double>(legend.columns.size() - 1);
+  for (const Legend::Column& column : legend.columns) legend.box.width += column.width;
   legend.box.height = legend.rows * legend.row_height + 2 * padding;
   return legend;
 }
@@ -53,7 +53,8 @@ double cost(const Legend& legend, const Box& box, const Ground& ground, double w
   const double left = box.x, right = width - box.right(), top = box.y, bottom = height - box.bottom();
   const double horizontal = std::min(right, left + 0.02 * width), vertical = std::min(top, bottom + 0.05 * height);
   const double from_corner = std::hypot(horizontal, vertical) / std::hypot(width, height);
-  const double unused = legend.rows * static_cast<double>(legend.column_widths.size()) - static_cast<double>(legend.keys.size());
+  double unused = legend.rows * static_cast<double>(legend.columns.size());
+  for (const Legend::Column& column : legend.columns) unused -= static_cast<double>(column.keys.size());
   return from_corner + 0.5 * ground.shading.share(box) + 0.04 * unused;
 }
 
@@ -95,11 +96,10 @@ std::vector<Legend> legend_shapes(cairo_t* cr, const std::vector<Key>& keys, dou
   std::vector<Extents> sizes;
   for (const Key& key : keys) sizes.push_back(label_text(cr, key, widest_label).extents());
   std::vector<Legend> shapes;
-  for (int columns = 1; columns <= static_cast<int>(keys.size()); ++columns) {
-    Legend legend = shape(keys, sizes, columns);
-    if (static_cast<int>(legend.column_widths.size()) < columns) continue;  // as many rows as before: seen already
-    if (columns > 1 && legend.box.width > width) continue;
-    shapes.push_back(std::move(legend));
+  for (int rows = static_cast<int>(keys.size()); rows >= 1; --rows) {
+    Legend legend = shape(keys, sizes, rows);
+    if (shapes.empty() || (legend.box.width <= width && legend.columns.size() > shapes.back().columns.size()))
+      shapes.push_back(std::move(legend));
   }
   return shapes;
 }
@@ -123,23 +123,25 @@ bool place_inside(const std::vector<Legend>& shapes, const Ground& ground, doubl
   return std::isfinite(best);
 }
 
-void draw_legend(cairo_t* cr, const Legend& legend, bool opaque) {
-  if (opaque) {
+void draw_legend(cairo_t* cr, const Legend& legend, bool boxed) {
+  if (boxed) {
     cairo_set_source_rgb(cr, 1, 1, 1);
     cairo_rectangle(cr, legend.box.x, legend.box.y, legend.box.width, legend.box.height);
-    cairo_fill(cr);
+    cairo_fill_preserve(cr);
+    set_colour(cr, border_ink);
+    cairo_set_line_width(cr, grid_width);
+    cairo_stroke(cr);
   }
   double x = legend.box.x + padding;
-  for (std::size_t column = 0; column < legend.column_widths.size(); ++column) {
-    for (int row = 0; row < legend.rows; ++row) {
-      const std::size_t i = column * static_cast<std::size_t>(legend.rows) + static_cast<std::size_t>(row);
-      if (i >= legend.keys.size()) break;
-      const double top = legend.box.y + padding + row * legend.row_height;
-      draw_swatch(cr, legend.keys[i], x, top + legend.row_height / 2);
+  for (const Legend::Column& column : legend.columns) {
+    double top = legend.box.y + padding;
+    for (const Key& key : column.keys) {
+      draw_swatch(cr, key, x, top + legend.row_height / 2);
       set_colour(cr, ink);
-      label_text(cr, legend.keys[i], legend.column_widths[column] - swatch - swatch_gap).show(x + swatch + swatch_gap, top);
+      label_text(cr, key, column.width - swatch - swatch_gap).show(x + swatch + swatch_gap, top);
+      top += legend.row_height;
     }
-    x += legend.column_widths[column] + column_gap;
+    x += column.width + column_gap;
   }
 }
 

@@ -18,11 +18,14 @@ struct Key {
 };
 
 struct Legend {
-  std::vector<Key> keys;
-  int rows = 0;                       // column by column, top to bottom
-  std::vector<double> column_widths;  // [pt] swatch and label
-  double row_height = 0;              // [pt]
-  Box box;                            // [pt] panel coordinates
+  struct Column {
+    std::vector<Key> keys;  // top to bottom
+    double width = 0;       // [pt] swatch and label
+  };
+  std::vector<Column> columns;
+  int rows = 0;           // of the longest column
+  double row_height = 0;  // [pt]
+  Box box;                // [pt] panel coordinates
 };
 
 int style_of(const Series& series, std::size_t position);
@@ -30,7 +33,7 @@ int style_of(const Series& series, std::size_t position);
 // One key a labelled curve, one a kind of band.
 std::vector<Key> keys_of(const Panel& panel);
 
-// The legend in one, two, three... columns, as far as each fits `width` [pt]; a single column always does. Boxes are sized, not placed.
+// The legend in one, two, three... columns, as far as each fits `width` [pt]; a single column always does. Sized, not placed.
 std::vector<Legend> legend_shapes(cairo_t* cr, const std::vector<Key>& keys, double width);
 
 // Ink that a legend must not touch, and shading that it had better not.
@@ -41,7 +44,7 @@ struct Ground {
 // Puts the best shape where it touches no ink. Returns false when there is no such place.
 bool place_inside(const std::vector<Legend>& shapes, const Ground& ground, double width, double height, Legend& placed);
 
-// At its box, in panel coordinates.
-void draw_legend(cairo_t* cr, const Legend& legend, bool opaque);
+// At its box, in panel coordinates; boxed: on white ground with a hairline around it, for a place inside the frame.
+void draw_legend(cairo_t* cr, const Legend& legend, bool boxed);
 
 }  // namespace pmreport::figure

@@ -11,7 +11,7 @@ Occupancy::Occupancy(double width, double height)
       sums_((rows_ + 1) * (columns_ + 1), 0) {}
 
 std::size_t Occupancy::index(double coordinate, std::size_t count) {
-  return static_cast<std::size_t>(std::clamp(std::floor(coordinate / cell_), 0.0, static_cast<double>(count - 1)));
+  return static_cast<std::size_t>(std::clamp(coordinate / cell_, 0.0, static_cast<double>(count - 1)));
 }
 
 void Occupancy::mark_cell(double x, double y) { at(index(y, rows_) + 1, index(x, columns_) + 1) = 1; }

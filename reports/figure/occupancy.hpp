@@ -24,7 +24,7 @@ class Occupancy {
   int& at(std::size_t row, std::size_t column) { return sums_[row * (columns_ + 1) + column]; }
   int at(std::size_t row, std::size_t column) const { return sums_[row * (columns_ + 1) + column]; }
   void mark_cell(double x, double y);
-  static std::size_t index(double coordinate, std::size_t count);
+  static std::size_t index(double coordinate, std::size_t count);  // of the cell, the nearest one outside
 };
 
 }  // namespace pmreport::figure

@@ -34,6 +34,7 @@ constexpr Colour ink{0.10, 0.10, 0.10};
 constexpr Colour quiet_ink{0.32, 0.32, 0.32};
 constexpr Colour grid_ink{0.88, 0.88, 0.88};
 constexpr Colour zero_ink{0.66, 0.66, 0.66};
+constexpr Colour border_ink{0.75, 0.75, 0.75};
 constexpr Colour limit_tint{1.00, 0.93, 0.78};
 constexpr Colour limit_hatch{0.90, 0.66, 0.20};
 constexpr Colour unreachable_tint{0.88, 0.88, 0.88};

@@ -84,11 +84,12 @@ void draw_heading(cairo_t* cr, const PanelLayout& layout) {
   const double width = layout.frame.width;
   double y = -heading_gap;
   const Text note(cr, layout.spike_note, {.size = tick_size}, width);
+  pango_layout_set_alignment(note.layout(), PANGO_ALIGN_RIGHT);
   const Text heading(cr, layout.heading, {.size = title_size}, width, true);
   const Extents note_size = note.extents(), heading_size = heading.extents();
   if (!layout.spike_note.empty()) {
     set_colour(cr, quiet_ink);
-    note.show(width - note_size.width, y - note_size.height);
+    note.show(0, y - note_size.height);
     const bool one_line = heading_size.width + note_distance + note_size.width <= width;
     if (!one_line) y -= note_size.height;
   }

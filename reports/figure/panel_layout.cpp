@@ -19,7 +19,7 @@ constexpr double label_distance = 7;  // [pt] at least, between tick labels side
 constexpr double line_label_gap = 0.8;
 
 // How far the range may be opened to make room for the legend, tried in this order.
-constexpr double headrooms[] = {0, 0.16, 0.32};
+constexpr double headrooms[] = {0, 0.16, 0.42};
 
 Extents measure(cairo_t* cr, const std::string& text) { return Text(cr, text, {.size = tick_size}).extents(); }
 
@@ -151,7 +151,7 @@ Ground arrange(cairo_t* cr, const Panel& panel, Interval y, double width, double
 
 }  // namespace
 
-PanelLayout lay_out_panel(cairo_t* cr, const Panel& panel, double width, double height) {
+PanelLayout lay_out_panel(cairo_t* cr, const Panel& panel, double width, double height, double room) {
   PanelLayout layout;
   layout.frame = {0, 0, width, height};
   layout.empty = !has_data(panel);
@@ -165,7 +165,7 @@ PanelLayout lay_out_panel(cairo_t* cr, const Panel& panel, double width, double 
   }
   arrange(cr, panel, y_range(panel), width, height, layout);
   layout.legend_place = PanelLayout::Place::below;
-  layout.legend = shapes.back();
+  layout.legend = legend_shapes(cr, keys_of(panel), room).back();
   return layout;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double margin = 0.05;         // of the range, above and below
 constexpr double near = 1.5;            // ranges: a limit line farther from the data is left out
-constexpr double spike = 50;            // core widths: values farther from the core are spikes
+constexpr double spike = 20;            // core widths: values farther from the core are spikes
 constexpr double kept = 1.0;            // core widths shown beyond the core on the side of a spike
 constexpr double tail = 0.05;           // share of a curve's values outside its core, on each side
 constexpr std::size_t few_values = 20;  // too few to tell a spike from the rest

@@ -6,7 +6,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "reports/figure/svg_ids.hpp"
+#include "reports/figure/embedding.hpp"
+#include "reports/figure/layout.hpp"
 
 namespace pmreport::figure {
 namespace {
@@ -22,9 +23,9 @@ void require_success(cairo_status_t status, const Figure& figure) {
   }
 }
 
-void draw_and_finish(cairo_surface_t* surface, const Figure& figure) {
+void draw_and_finish(cairo_surface_t* surface, const Figure& figure, const Layout& layout) {
   const Context cr{cairo_create(surface)};
-  draw(cr.get(), figure);
+  draw_layout(cr.get(), figure, layout);
   cairo_show_page(cr.get());
   require_success(cairo_status(cr.get()), figure);
   cairo_surface_finish(surface);
@@ -53,21 +54,21 @@ Context measuring_context() {
 }
 
 std::string to_pdf(const Figure& figure) {
-  const Size size = size_of(figure);
+  const Layout layout = lay_out(measuring_context().get(), figure);
   std::string pdf;
-  const Surface surface{cairo_pdf_surface_create_for_stream(append, &pdf, size.width, size.height)};
+  const Surface surface{cairo_pdf_surface_create_for_stream(append, &pdf, layout.size.width, layout.size.height)};
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, date_asked);
-  draw_and_finish(surface.get(), figure);
+  draw_and_finish(surface.get(), figure, layout);
   mend_date(pdf);
   return pdf;
 }
 
 std::string to_svg(const Figure& figure) {
-  const Size size = size_of(figure);
+  const Layout layout = lay_out(measuring_context().get(), figure);
   std::string svg;
-  const Surface surface{cairo_svg_surface_create_for_stream(append, &svg, size.width, size.height)};
+  const Surface surface{cairo_svg_surface_create_for_stream(append, &svg, layout.size.width, layout.size.height)};
   cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PT);
-  draw_and_finish(surface.get(), figure);
+  draw_and_finish(surface.get(), figure, layout);
   return embeddable_svg(svg, figure);
 }
 

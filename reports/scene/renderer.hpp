@@ -9,7 +9,7 @@ namespace pmreport::scene {
 
 class Renderer {
  public:
-  explicit Renderer(int tile = 800);  // [px] of a tile's side, supersampled
+  explicit Renderer(int tile = 400);  // [px] of a tile's side, supersampled
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
   ~Renderer() { context_.make_current(); }  // its objects are deleted there

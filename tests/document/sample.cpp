@@ -26,7 +26,8 @@ figure::Figure waves(const std::string& id, const std::string& data, figure::Wid
   f.data = data;
   f.width = width;
   for (int p = 0; p < panels; ++p) {
-    figure::Panel panel{"limb lengths", {"time", "s"}, {"length", "mm"}, {}, {{3.2, 4.1, figure::Band::Kind::limit}}, {{780, "stroke ends"}}};
+    figure::Panel panel{"limb lengths",        {"time", "s"}, {"length", "mm"}, {}, {{3.2, 4.1, figure::Band::Kind::limit}},
+                        {{780, "stroke ends"}}};
     for (int s = 0; s < 5; ++s) {
       figure::Series series{fmt::format("l{}", s + 1), {}, {}, -1};
       for (int i = 0; i <= 200; ++i) {
@@ -68,12 +69,13 @@ Report report() {
       "title  = \"4SPS-SPR: kinematics and statics\"\n\n[mechanism]\nuse = \"4sps-spr\"\nparameters = { base_radius = \"400 mm\" }\n\n"
       "[motion]\nduration = \"10 s\"\nsamples  = 501\nx = \"20 mm * sin(2*pi*t/10 s)\"   # a sway\n\n"
       "[[check]]\nthat  = \"max(abs(actuator_force))\"\nbelow = \"400 N\"\n";
-  r.summary = {{Paragraph::Tone::plain, "The limbs work between 587.9 mm and 731.4 mm; the largest actuator force is 312.4 N in limb 3 at t = 5.02 s."},
+  r.summary = {{Paragraph::Tone::plain,
+                "The limbs work between 587.9 mm and 731.4 mm; the largest actuator force is 312.4 N in limb 3 at t = 5.02 s."},
                {Paragraph::Tone::warning, "t = 3.20 s to 4.10 s: limb 3 needs 812.4 mm, its stroke ends at 800.0 mm (45 samples)."}};
 
   Section displacement{"displacement", "displacement", "Displacement", {}};
-  displacement.blocks.push_back(
-      Paragraph{Paragraph::Tone::plain, "Lengths of the limbs along the motion. The dependent coordinate y follows from the revolute joint."});
+  displacement.blocks.push_back(Paragraph{
+      Paragraph::Tone::plain, "Lengths of the limbs along the motion. The dependent coordinate y follows from the revolute joint."});
   displacement.blocks.push_back(waves("displacement", "data/displacement.csv", figure::Width::full, 2));
   displacement.blocks.push_back(Table{"Stroke of each limb",
                                       {"limb", "shortest [mm]", "longest [mm]", "stroke from [mm]", "to [mm]", "margin [mm]"},
@@ -84,17 +86,20 @@ Report report() {
   displacement.blocks.push_back(Paragraph{Paragraph::Tone::note, "Lengths are from joint centre to joint centre."});
   displacement.blocks.push_back(
       Proof{{{"loop closure: every joint meets", "largest distance between the two bodies' centres of a joint", 2.1e-16, 1e-9, "m"},
-             {"forward displacement finds the pose again", "Newton from a guess 1 cm away against the pose that gave the lengths", 4.4e-13, 1e-9, "m"},
+             {"forward displacement finds the pose again", "Newton from a guess 1 cm away against the pose that gave the lengths", 4.4e-13,
+              1e-9, "m"},
              {"rates are the lengths' derivatives", "jets against differences in extended precision", 0, 1e-8, ""}}});
 
   Section statics{"statics", "statics", "Statics", {}};
   statics.blocks.push_back(waves("statics", "data/statics.csv", figure::Width::column, 1));
-  statics.blocks.push_back(Gallery{{{"pose-0", "t = 0 s, isometric", png(64, 48, 230), 64, 48}, {"pose-5", "t = 5 s, isometric", png(64, 48, 200), 64, 48}},
-                                   "The manipulator at both ends of its motion."});
+  statics.blocks.push_back(
+      Gallery{{{"pose-0", "t = 0 s, isometric", png(64, 48, 230), 64, 48}, {"pose-5", "t = 5 s, isometric", png(64, 48, 200), 64, 48}},
+              "The manipulator at both ends of its motion."});
   statics.blocks.push_back(Proof{{{"virtual power balances", "power of the actuators against that of the load", 3.26e-14, 1e-9, "W"}}});
   r.sections = {displacement, statics};
 
-  r.data = {{"displacement", {"t [s]", "x [m]"}, {{0, 0.1, 0.2}, {0.1, nan, 1.0 / 3.0}}}, {"statics", {"t [s]", "l1_force [N]"}, {{0, 1}, {312.4, -1e-300}}}};
+  r.data = {{"displacement", {"t [s]", "x [m]"}, {{0, 0.1, 0.2}, {0.1, nan, 1.0 / 3.0}}},
+            {"statics", {"t [s]", "l1_force [N]"}, {{0, 1}, {312.4, -1e-300}}}};
   r.checks = {{"max(abs(actuator_force)) < 400 N", "312.4 N", "400 N", 312.4, 400, "N", true, "", 13}};
   r.values = {{"statics", "largest_actuator_force", "N", 312.4}};
   r.provenance = {"pmreport", "1.0.0", "4sps-spr", "pmreport 1.0.0 plugin", "demo.toml", std::string(64, 'a')};

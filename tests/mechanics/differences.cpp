@@ -46,6 +46,18 @@ TEST_CASE("a stencil that leaves the reach compares nothing and says so") {
   CHECK_FALSE(jets_against_differences(machine, s).reachable);
 }
 
+TEST_CASE("a stencil that meets a number that is not finite agrees with nothing") {
+  const Machine machine(test::slider_crank(), {{13}, {0.2}, {0.5}});  // the fault "nan", beyond 0.9 rad
+  const double edge[] = {0.8999999}, rate[] = {1.0}, none[] = {0.0};
+  State s;
+  evaluate(machine, edge, rate, none, s);
+  REQUIRE(s.status == PM_OK);
+  const Deviation d = jets_against_differences(machine, s);
+  CHECK(d.reachable);
+  CHECK(d.rate > 1);
+  CHECK(d.acceleration > 1);
+}
+
 TEST_CASE("at rest there is nothing to compare") {
   const Machine machine = test::make(test::arm());
   const double q[] = {0.1, 0.3, 0.2}, none[] = {0, 0, 0};

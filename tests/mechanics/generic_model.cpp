@@ -82,7 +82,8 @@ TEST_CASE("the bias is the change of the constraint rows times the twists") {
   const Machine balls = test::make_hexapod(test::BaseJoint::ball), crosses = test::make_hexapod(test::BaseJoint::universal),
                 four_bar = test::make(test::four_bar()), arm = test::make(test::arm()), crank = test::make(test::slider_crank());
   std::mt19937_64 random(21);
-  for (const Machine* machine : {&balls, &crosses, &four_bar, &arm, &crank})
+  for (const Machine* machine : {&balls, &crosses, &four_bar, &arm, &crank}) {
+    double largest = 0;
     for (int k = 0; k < 20; ++k) {
       const test::Motion motion = test::random_motion(*machine, random);
       INFO(machine->info().name << ", q = " << motion.q.transpose());
@@ -90,10 +91,12 @@ TEST_CASE("the bias is the change of the constraint rows times the twists") {
       const auto rows = [&](double t) { return generic_model(*machine, motion.state(*machine, t)).constraints; };
       const Eigen::VectorXd expected = (8.0 * (rows(h) - rows(-h)) - (rows(2 * h) - rows(-2 * h))) / (12 * h) * stacked_twists(s);
       const GenericModel model = generic_model(*machine, s);
-      REQUIRE(expected.lpNorm<Eigen::Infinity>() > 1e-3);  // a motion that shows no bias would prove nothing
+      largest = std::max(largest, expected.lpNorm<Eigen::Infinity>());
       CHECK((model.bias - expected).lpNorm<Eigen::Infinity>() < tolerance);
       CHECK((model.constraints * stacked_twists(s)).lpNorm<Eigen::Infinity>() < rounding);
     }
+    CHECK(largest > 0.01);  // motions that show no bias would prove nothing
+  }
 }
 
 TEST_CASE("actuation rows measure the motion at their joints, linear and angular") {

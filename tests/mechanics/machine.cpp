@@ -239,7 +239,7 @@ TEST_CASE("items of a newer plugin may be longer than ours") {
 
 TEST_CASE("a pose tells whether it is out of reach or not finite") {
   const Machine machine(test::slider_crank(), {{0}, {0.4}, {0.35}});
-  const double far[] = {std::numbers::pi};
+  const double far[] = {-1.5};
   const Pose pose = machine.pose(far);
   CHECK(pose.status == PM_UNREACHABLE);
   CHECK(pose.why == "the rod is too short");

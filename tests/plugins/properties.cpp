@@ -17,8 +17,10 @@ namespace {
 
 std::string table(const std::vector<Property>& properties) {
   std::string out = "\n";
-  for (const Property& p : properties)
-    out += fmt::format("{} {:46} {:>9.2e} of {:>8.1e} {:3} {}\n", p.passed() ? "  " : "! ", p.claim, p.worst, p.tolerance, p.unit, p.where);
+  for (const Property& p : properties) {
+    out += fmt::format("{:7}{:46}{:>9.1e} of {:.1e} {}\n", p.passed() ? "" : "FAILS", p.claim, p.worst, p.tolerance, p.unit);
+    if (!p.passed()) out += fmt::format("       {}; {}\n", p.how, p.where);
+  }
   return out;
 }
 
@@ -98,10 +100,9 @@ TEST_CASE("each fault fails the property that names it, what must follow from it
       {"rates", {"rates are exact", "partials are exact"}},
       {"acceleration", {"accelerations are exact"}},
       {"partials", {"partials are exact"}},
-      {"partials_nan", {"partials are exact"}},
+      {"partials_nan", {"partials are exact", "lanes equal doubles"}},  // a NaN equals nothing
       {"extended", {"extended precision agrees"}},
-      // Most of the box cannot be assembled, and nor can a guess beside the edge.
-      {"reach", {"poses are in reach", "forward inverts inverse displacement"}},
+      {"reach", {"poses are in reach"}},
   };
   const pm_mechanism& mechanism = contract::mechanism<test::SliderCrank>;
   for (const Faulty& faulty : all) {

@@ -68,7 +68,7 @@ below = "10 mm"
   CHECK(s.motion.value(4, 0) == Approx(0.02));
   CHECK(s.motion.rate(2, 0) == Approx(0.002));
   CHECK(s.motion.value(4, 1) == 0);
-  CHECK(s.motion.description == "x = 20 mm * t/10 s\nphi = 0 ° (home)");
+  CHECK(s.motion.description == "x = 20 mm * t/10 s\nphi = 0° (home)");
 
   REQUIRE(s.load.force.size() == 5);
   CHECK(s.load.force[4] == Eigen::Vector3d(0, 10, -10));

@@ -1,0 +1,64 @@
+// Ids may hold anything; the names of files may not.
+#include <catch2/catch.hpp>
+#include <reports/document/names.hpp>
+#include <set>
+
+#include "sample.hpp"
+
+using namespace pmreport;
+using namespace pmreport::document;
+
+namespace {
+
+std::vector<std::string> data_names(const std::vector<std::string>& ids) {
+  Report r;
+  for (const std::string& id : ids) r.data.push_back({id, {}, {}});
+  return names_of(r).data;
+}
+
+}  // namespace
+
+TEST_CASE("an id that is a good name is the name") {
+  CHECK(data_names({"displacement", "l1_force", "A-1.b"}) == std::vector<std::string>{"displacement", "l1_force", "A-1.b"});
+}
+
+TEST_CASE("no id leads out of the report's folder") {
+  const std::vector<std::string> ids{
+      "../../etc/passwd",    "/etc/passwd", "..", ".", "", ".hidden", "-rf", std::string("a\0b", 3), "a/b", "a\\b", "C:x", "机构",
+      std::string(4000, 'x')};
+  for (const std::string& name : data_names(ids)) {
+    CAPTURE(name);
+    CHECK_FALSE(name.empty());
+    CHECK(name.size() <= 200);
+    CHECK(name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.") == std::string::npos);
+    CHECK(name.front() != '.');
+    CHECK(name.front() != '-');
+  }
+}
+
+TEST_CASE("two things never share a name, even where upper and lower case are one") {
+  const auto names = data_names({"a", "A", "a", "a-2", "../a", "", "data", ""});
+  std::set<std::string> lower;
+  for (std::string name : names) {
+    for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    CAPTURE(name);
+    CHECK(lower.insert(name).second);
+  }
+}
+
+TEST_CASE("a section called summary does not take the anchor of the summary") {
+  Report r;
+  r.sections = {{"summary", "x", "X", {}}, {"checks", "x", "X", {}}};
+  CHECK(names_of(r).sections == std::vector<std::string>{"summary-2", "checks-2"});
+}
+
+TEST_CASE("a figure finds the file of its data, whatever its name had to become") {
+  Report r;
+  r.data = {{"my data", {}, {}}, {"my/data", {}, {}}};
+  figure::Figure f;
+  const Names names = names_of(r);
+  f.data = "data/my/data.csv";
+  CHECK(data_file(r, names, f) == "data/my-data-2.csv");
+  f.data = "data/none.csv";
+  CHECK(data_file(r, names, f).empty());
+}

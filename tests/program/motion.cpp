@@ -1,0 +1,107 @@
+// A motion that the mechanism does not like: the report is written, tells it, and the exit status is 1.
+#include <catch2/catch.hpp>
+#include <tests/program/workshop.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+using namespace program_test;
+using Catch::Contains;
+
+namespace {
+
+const std::string alpha = "1 deg * (1 - cos(2*pi*t/2 s))";
+
+// Words that a number which is not finite could leave in a file of text.
+void check_no_nan(const Workshop& here) {
+  const std::regex word("(^|[^A-Za-z])([Nn]a[Nn]|NAN|[Ii]nf|INF|Infinity)([^A-Za-z]|$)");
+  for (const auto& [name, bytes] : contents(here.report_folder())) {
+    if (name.ends_with(".pdf") || name.ends_with(".png")) continue;
+    INFO(name);
+    std::smatch found;
+    const bool seen = std::regex_search(bytes, found, word);
+    CHECK_FALSE(seen);
+    if (seen) UNSCOPED_INFO(found.str());
+  }
+}
+
+// The warnings of the summary, which stand in every form of the report.
+std::string warnings(const Workshop& here) {
+  std::string out;
+  for (const auto& w : nlohmann::json::parse(bytes_of(here.report_folder() / "results.json"))["warnings"])
+    out += w["text"].get<std::string>() + "\n";
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a motion out of reach is told, leaves a gap in the data and nowhere a NaN") {
+  const Workshop here;
+  // At home the revolute axis points 53.1 degrees from X, across limb 5 from A5 at azimuth 315 to B5 at 288 degrees: turned back by
+  // that angle it is perpendicular to y, which it no longer determines.
+  const Result result = here.report(with(small, {{alpha, "-80 deg * t/2 s"}}));
+  CHECK(result.status == 1);
+  CHECK_THAT(result.out, Contains("FAILED  every sample can be assembled: ") && Contains("the mechanism cannot be assembled") &&
+                             Contains("the revolute axis is almost perpendicular to the dependent coordinate"));
+  CHECK_THAT(warnings(here), Contains("the mechanism cannot be assembled"));
+  CHECK_THAT(bytes_of(here.report_folder() / "report.html"), Contains("the mechanism cannot be assembled"));
+
+  int gaps = 0, numbers = 0;
+  const auto data = columns(here.report_folder() / "data/displacement.csv");
+  for (std::size_t k = 0; k < 21; ++k) {
+    CHECK(std::isfinite(data.at("t")[k]));
+    (std::isnan(data.at("l1")[k]) ? gaps : numbers) += 1;
+    CHECK(std::isnan(data.at("l1")[k]) == std::isnan(data.at("y")[k]));
+  }
+  CHECK(gaps > 0);
+  CHECK(numbers > 0);
+  CHECK_THAT(result.out, Contains("(" + std::to_string(gaps) + " sample"));
+  check_no_nan(here);
+}
+
+TEST_CASE("a motion that is never in reach makes a report all the same") {
+  const Workshop here;
+  const Result result = here.report(with(small, {{alpha, "-60 deg"}, {"[[check]]", "[[section]]\nkind = \"snapshots\"\nsize = [400, 300]\n\n[[check]]"}}));
+  CHECK(result.status == 1);
+  CHECK_THAT(result.out, Contains("has no value to judge"));
+  CHECK_THAT(warnings(here), Contains("no picture, the mechanism cannot be assembled"));
+  check_no_nan(here);
+}
+
+TEST_CASE("a singular surface on the way is told") {
+  const Workshop here;
+  const Result result = here.report(with(small, {{alpha, "25 deg * sin(2*pi*t/2 s)"}}));
+  CHECK(result.status == 1);
+  CHECK_THAT(result.out, Contains("FAILED  no singular surface is met: Between t = ") && Contains("det G changes its sign"));
+  const std::vector<double> det = columns(here.report_folder() / "data/velocity.csv").at("det_G");
+  const auto [low, high] = std::minmax_element(det.begin(), det.end());
+  CHECK(*low < 0);
+  CHECK(*high > 0);
+  check_no_nan(here);
+}
+
+TEST_CASE("a limb beyond the end of its stroke is told with the time, the length and the limit") {
+  const Workshop here;
+  const Result result = here.report(with(small, {{"\"550 mm\"", "\"550 mm + 500 mm * step5(t, 0 s, 2 s)\""}}));
+  CHECK(result.status == 1);
+  const auto data = columns(here.report_folder() / "data/displacement.csv");
+  for (const std::string limb : {"l1", "l2", "l3", "l4", "l5"}) {
+    const std::vector<double>& l = data.at(limb);
+    const auto beyond = std::count_if(l.begin(), l.end(), [](double x) { return x > 0.850; });
+    CAPTURE(limb, beyond);
+    REQUIRE(beyond > 1);
+    std::smatch found;
+    const std::string told = warnings(here);
+    REQUIRE(std::regex_search(told, found, std::regex("t = ([0-9.]+) s to 2 s: " + limb + R"( \(length of limb .\) needs ([0-9.]+) mm, its stroke ends at 850 mm \(worst at t = 2 s, ([0-9]+) samples\))")));
+    CHECK(std::stoi(found[3]) == beyond);
+    CHECK(std::stod(found[2]) == Approx(l.back() * 1e3).epsilon(1e-4));  // told with five digits or so
+  }
+  CHECK_THAT(result.out, Contains("FAILED  strokes and joint limits are kept: "));
+  // The values stand in the data: a limit is no gap.
+  for (const auto& [name, column] : data) {
+    CAPTURE(name);
+    CHECK(std::none_of(column.begin(), column.end(), [](double x) { return std::isnan(x); }));
+  }
+}

@@ -1,0 +1,45 @@
+// A fresh folder to work in, and small scenarios to work on.
+#pragma once
+
+#include <tests/program/process.hpp>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace program_test {
+
+class Workshop {
+ public:
+  Workshop();
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+  ~Workshop();
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::filesystem::path& name) const { return path_ / name; }
+  std::filesystem::path write(const std::filesystem::path& name, std::string_view bytes) const;
+  // Writes `text` to scenario.toml and runs the program there on it: the report comes to scenario-report.
+  Result report(std::string_view text, std::vector<std::string> more = {}, Surroundings surroundings = {}) const;
+  std::filesystem::path report_folder() const { return path_ / "scenario-report"; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string bytes_of(const std::filesystem::path& file);
+// All files below a folder by their relative paths, with their bytes.
+std::map<std::string, std::string> contents(const std::filesystem::path& folder);
+
+// A sound scenario of 21 samples in 2 s without pictures, all sections of curves, one check that passes.
+extern const std::string small;
+// `text` with every first part replaced, once, by the second. Throws when a part is not there.
+std::string with(std::string text, const std::vector<std::pair<std::string, std::string>>& changes);
+
+// The columns of a data file by name; a cell without a number is a NaN.
+std::map<std::string, std::vector<double>> columns(const std::filesystem::path& csv);
+
+}  // namespace program_test

@@ -1,0 +1,102 @@
+#include <catch2/catch.hpp>
+#include <random>
+#include <reports/scene/labels.hpp>
+
+using namespace pmreport::scene;
+
+namespace {
+
+struct Random {
+  std::mt19937 engine;
+  double operator()(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); }
+};
+
+// A machine-like crowd: labelled balls, some of them close together, and bars between them.
+Scene crowd(unsigned seed) {
+  Random random{std::mt19937(seed)};
+  Scene scene;
+  const int joints = 4 + static_cast<int>(random(0, 12));
+  for (int k = 0; k < joints; ++k) {
+    Eigen::Vector3d at(random(-0.5, 0.5), random(-0.5, 0.5), random(0, 0.7));
+    if (k > 0 && random(0, 1) < 0.3) at = scene.labels.back().at + 0.04 * Eigen::Vector3d(random(-1, 1), random(-1, 1), random(-1, 1));
+    Solid ball{};
+    ball.kind = Solid::Kind::ball, ball.a = at, ball.radius = 0.016;
+    scene.solids.push_back(ball);
+    if (k > 0) {
+      Solid bar{};
+      bar.kind = Solid::Kind::cylinder, bar.a = scene.labels.back().at, bar.b = at, bar.radius = 0.01;
+      scene.solids.push_back(bar);
+    }
+    scene.labels.push_back({at, (k % 2 ? "A" : "B") + std::to_string(k + 1), {0, 0, 0}});
+  }
+  return scene;
+}
+
+bool overlap(const PlacedLabel& a, const PlacedLabel& b) {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+}  // namespace
+
+TEST_CASE("labels overlap neither one another nor a joint, and stay in the picture") {
+  constexpr int width = 800, height = 600;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    CAPTURE(seed);
+    const Scene scene = crowd(seed);
+    const Camera camera{{0, 0, 0.35}, 0.1 * seed, 0.005 * seed, 1.5};
+    const std::vector<PlacedLabel> placed = place_labels(scene, camera, width, height);
+    REQUIRE(placed.size() == scene.labels.size());
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      const PlacedLabel& l = placed[i];
+      CAPTURE(l.text, l.x, l.y, l.width, l.height);
+      CHECK((l.x >= 0 && l.y >= 0 && l.x + l.width <= width && l.y + l.height <= height));
+      for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(overlap(l, placed[k]));
+      for (const Solid& s : scene.solids) {
+        if (s.kind != Solid::Kind::ball) continue;
+        const Eigen::Vector2d c = project(camera, s.a, width, height);
+        const Eigen::Vector2d near(std::clamp(c.x(), l.x, l.x + l.width), std::clamp(c.y(), l.y, l.y + l.height));
+        CHECK((near - c).norm() >= s.radius * height / camera.height);
+      }
+    }
+  }
+}
+
+TEST_CASE("a label alone stands close to its joint, without a leader; one in a crowd that is moved away has one") {
+  Scene lone;
+  Solid ball{};
+  ball.kind = Solid::Kind::ball, ball.radius = 0.02;
+  lone.solids = {ball};
+  lone.labels = {{{0, 0, 0}, "A1", {0, 0, 0}}};
+  const auto spots = find_spots(lone, {}, 800, 600);
+  REQUIRE(spots.size() == 1);
+  CHECK_FALSE(spots[0].leader);
+  const PlacedLabel& b = spots[0].box;
+  const Eigen::Vector2d near(std::clamp(400.0, b.x, b.x + b.width), std::clamp(300.0, b.y, b.y + b.height));
+  CHECK((near - Eigen::Vector2d(400, 300)).norm() < 12 + label_size(600));
+
+  Scene packed;  // 5 x 5 joints, so close that no label fits between them
+  for (int k = 0; k < 25; ++k) {
+    ball.a = {0.045 * (k % 5), 0, 0.045 * (k / 5)};
+    packed.solids.push_back(ball);
+    packed.labels.push_back({ball.a, "P" + std::to_string(k + 1), {0, 0, 0}});
+  }
+  const auto moved = find_spots(packed, {{0.09, 0, 0.09}, 0, 0, 1}, 800, 600);
+  REQUIRE(moved.size() == 25);
+  const auto inner = moved[12];
+  CHECK(inner.leader);
+}
+
+TEST_CASE("labels that no picture could hold are left out rather than piled up") {
+  Scene scene = crowd(5);
+  const auto placed = place_labels(scene, {{0, 0, 0.35}, 0, 0, 1.5}, 800, 600);
+  CHECK(placed.size() == scene.labels.size());
+  scene.labels = {{{0, 0, 0.35}, std::string(400, 'W'), {0, 0, 0}}, {{100, 0, 0}, "far", {0, 0, 0}}, {{0, 0, 0}, "", {0, 0, 0}}};
+  CHECK(place_labels(scene, {{0, 0, 0.35}, 0, 0, 1.5}, 800, 600).empty());
+}
+
+TEST_CASE("digits after letters are set as a subscript, and markup in a name is only text") {
+  CHECK(label_markup("A12", 20).find("A<span") == 0);
+  CHECK(label_markup("A12", 20).find(">12</span>") != std::string::npos);
+  CHECK(label_markup("12", 20) == "12");
+  CHECK(label_markup("<b>", 20).find('<') == std::string::npos);
+}
