@@ -10,10 +10,12 @@
 #include <tbb/global_control.h>
 #include <CLI/CLI.hpp>
 
+#include <fcntl.h>
 #include <unistd.h>
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
+#include <system_error>
 
 namespace {
 
@@ -23,9 +25,30 @@ namespace fs = std::filesystem;
 // Part of the interface, in README.md.
 enum ExitStatus { all_well = 0, gate_failed = 1, bad_scenario = 2, plugin_failed = 3, output_failed = 4, resource_limit = 5 };
 
+// The handler only raises a flag: work on a report stops between two samples, pictures or files, and takes its temporary files along.
+// The other commands have nothing to clear away and end as the signal says.
 std::atomic<int> stop_signal{0};
 void on_signal(int number) { stop_signal = number; }
 bool stop_asked() { return stop_signal != 0; }
+void listen_to_signals() {
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+// A stream that is closed from the start would lend its number to the first file opened, and words would end in that file. This one
+// refuses them.
+void fill_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0) open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+// To stderr. Where nobody can be told the exit status still speaks.
+template <class... T>
+void tell(fmt::format_string<T...> format, T&&... values) {
+  std::fputs(fmt::format(format, std::forward<T>(values)...).c_str(), stderr);
+}
 
 struct Options {
   std::string scenario, out;
@@ -43,10 +66,10 @@ class Terminal {
   }
   ~Terminal() { clear(); }
   void say(const std::string& what) {
-    if (live_) fmt::print(stderr, "\r\x1b[K{}", what), std::fflush(stderr), used_ = true;
+    if (live_) tell("\r\x1b[K{}", what), std::fflush(stderr), used_ = true;
   }
   void clear() {
-    if (used_) fmt::print(stderr, "\r\x1b[K"), std::fflush(stderr), used_ = false;
+    if (used_) tell("\r\x1b[K"), std::fflush(stderr), used_ = false;
   }
 
  private:
@@ -64,10 +87,11 @@ scenario::MechanismSource source_of(const host::Catalog& catalog) {
 }
 
 void tell_refused(const host::Catalog& catalog) {
-  for (const std::string& sentence : catalog.refused()) fmt::print(stderr, "warning: {}\n", sentence);
+  for (const std::string& sentence : catalog.refused()) tell("warning: {}\n", sentence);
 }
 
 int run(const Options& options) {
+  listen_to_signals();
   const host::Catalog catalog(host::search_folders(options.plugin_path));
   tell_refused(catalog);
   const scenario::Loaded loaded = scenario::load(options.scenario, source_of(catalog));
@@ -97,8 +121,8 @@ int list(const Options& options) {
   tell_refused(catalog);
   for (const host::Entry& e : catalog.entries()) fmt::print("{:<16} {}\n{:<16} {}\n", e.name, e.mechanism->title, "", e.file.string());
   if (catalog.entries().empty()) {
-    fmt::print(stderr, "no mechanism found; searched:\n");
-    for (const fs::path& f : catalog.folders()) fmt::print(stderr, "  {}\n", f.string());
+    tell("no mechanism found; searched:\n");
+    for (const fs::path& f : catalog.folders()) tell("  {}\n", f.string());
     return plugin_failed;
   }
   return all_well;
@@ -138,26 +162,29 @@ int guarded(F&& f) {
   try {
     return f();
   } catch (const scenario::ScenarioError& e) {
-    for (const scenario::Diagnostic& d : e.diagnostics) fmt::print(stderr, "{}\n", to_string(d));
-    if (e.diagnostics.size() > 1) fmt::print(stderr, "{} errors\n", e.diagnostics.size());
+    for (const scenario::Diagnostic& d : e.diagnostics) tell("{}\n", to_string(d));
+    if (e.diagnostics.size() > 1) tell("{} errors\n", e.diagnostics.size());
     return bad_scenario;
   } catch (const host::PluginError& e) {
-    fmt::print(stderr, "error: {}\n", e.what());
+    tell("error: {}\n", e.what());
     return plugin_failed;
   } catch (const mechanics::MechanismError& e) {
-    fmt::print(stderr, "error: the mechanism's plugin failed: {}\n", e.what());
+    tell("error: the mechanism's plugin failed: {}\n", e.what());
     return plugin_failed;
   } catch (const document::Interrupted&) {
-    fmt::print(stderr, "interrupted; an earlier report is untouched\n");
+    tell("interrupted; an earlier report is untouched\n");
     return 128 + stop_signal;
   } catch (const document::OutputError& e) {
-    fmt::print(stderr, "error: {}\n", e.what());
+    tell("error: {}\n", e.what());
+    return output_failed;
+  } catch (const std::system_error& e) {  // of a print to stdout, or of a folder that went away
+    tell("error: the output failed: {}\n", e.what());
     return output_failed;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "error: out of memory; ask for fewer samples or smaller pictures\n");
+    tell("error: out of memory; ask for fewer samples or smaller pictures\n");
     return resource_limit;
   } catch (const std::exception& e) {
-    fmt::print(stderr, "error: {}\n", e.what());
+    tell("error: {}\n", e.what());
     return resource_limit;
   }
 }
@@ -165,11 +192,7 @@ int guarded(F&& f) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // The handler only raises a flag: work stops between two samples, pictures or files, and takes its temporary files along.
-  struct sigaction action {};
-  action.sa_handler = on_signal;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  fill_closed_streams();
   std::signal(SIGPIPE, SIG_IGN);
 
   CLI::App app("pmreport: reports about parallel manipulators that an engineer can believe", "pmreport");
@@ -209,13 +232,13 @@ int main(int argc, char** argv) {
     if (*describe_command) return describe(options, name, json);
     if (*check_command) return check(options, name, poses);
     if (options.scenario.empty()) {
-      fmt::print(stderr, "{}", app.help());
+      tell("{}", app.help());
       return static_cast<int>(bad_scenario);
     }
     return run(options);
   });
   if (std::fflush(stdout) != 0 && status == all_well) {
-    fmt::print(stderr, "error: standard output could not be written\n");
+    tell("error: standard output could not be written\n");
     return output_failed;
   }
   return status;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <reports/document/names.hpp>
 #include <reports/document/quantity.hpp>
 #include <reports/document/tally.hpp>

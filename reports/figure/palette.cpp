@@ -10,10 +10,11 @@ constexpr Colour rgb(unsigned hex) {
   return {static_cast<double>(hex >> 16 & 255U) / 255, static_cast<double>(hex >> 8 & 255U) / 255, static_cast<double>(hex & 255U) / 255};
 }
 
-// M. Okabe, K. Ito: Color Universal Design (2008). On white ground yellow is unreadable and left out; sky blue, orange and purple are
-// darkened until they stand out from white by 3:1 (WCAG 2.1, 1.4.11). Wine, indigo, olive and grey extend the set (after P. Tol's "muted").
-constexpr std::array<Colour, colours> palette{rgb(0x0072B2), rgb(0xD55E00), rgb(0x009068), rgb(0x000000), rgb(0xBC5C93),
-                                              rgb(0xB87A00), rgb(0x3591CE), rgb(0x882255), rgb(0x7A7A7A), rgb(0x332288)};
+// After M. Okabe, K. Ito: Color Universal Design (2008), for white ground: yellow is left out; blue, sky blue, purple and orange (now
+// ochre) are darkened until each stands out from white by 3:1 (WCAG 2.1, 1.4.11) and any two differ for protanopes and deuteranopes too.
+// Wine, slate and indigo extend the set.
+constexpr std::array<Colour, colours> palette{rgb(0x0060A8), rgb(0xD95F02), rgb(0x009068), rgb(0x000000), rgb(0xC0609A),
+                                              rgb(0x3C97D3), rgb(0x6E5200), rgb(0x8A1C4F), rgb(0x5C6670), rgb(0x332288)};
 
 const std::array<std::vector<double>, 10>& dashes() {
   static const std::array<std::vector<double>, 10> patterns{{{},

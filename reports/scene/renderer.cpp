@@ -107,7 +107,7 @@ Renderer::Renderer(int tile)
 
   glBindFramebuffer(GL_FRAMEBUFFER, *sampled_);
   glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, *samples_);
-  glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples_per_pixel, GL_SRGB8_ALPHA8, tile_, tile_, GL_TRUE);
+  glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples_per_pixel, GL_RGBA8, tile_, tile_, GL_TRUE);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE, *samples_, 0);
   glBindRenderbuffer(GL_RENDERBUFFER, *depth_);
   glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_per_pixel, GL_DEPTH_COMPONENT24, tile_, tile_);

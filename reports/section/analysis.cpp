@@ -211,7 +211,7 @@ void Analysis::run(const Progress& progress) {
       const int sample = static_cast<int>(k), neighbour = sample > 0 ? sample - 1 : std::min(1, samples() - 1);
       conditions_[k] = worker.sample(sample, neighbour, measures_[k], [&](const std::string& name, double value) {
         const auto found = columns_.find(name);
-        if (found != columns_.end()) found->second[k] = std::isfinite(value) ? value : nan;
+        if (found != columns_.end()) found->second[k] = std::isfinite(value) ? value + 0.0 : nan;  // no negative zero
       });
       if (conditions_[k] == Condition::unreachable || conditions_[k] == Condition::failed) {
         const std::scoped_lock lock(sentences);

@@ -130,9 +130,13 @@ Section acceleration_section(const Analysis& a) {
 }
 
 std::vector<Section> overview_section(const Analysis& a) {
-  figure::Figure f{"overview", "The motion at a glance: (a) position and (b) orientation of the platform, then the actuators.",
-                   "",         figure::Width::full,
-                   2,          {}};
+  figure::Figure f{
+      "overview",
+      "The motion at a glance: position and orientation of the platform, then displacement, rate, acceleration and force of the actuators",
+      "",
+      figure::Width::full,
+      2,
+      {}};
   std::size_t kinds = 0;
   const auto asked = [&](const char* kind) {
     const auto& all = a.scenario().sections;

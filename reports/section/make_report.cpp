@@ -37,8 +37,14 @@ std::vector<Paragraph> summary(const Analysis& a, const Report& r) {
     out.resize(shown);
     out.push_back({Paragraph::Tone::warning, fmt::format("{} more in the sections.", plural(static_cast<int>(more), "warning"))});
   }
-  out.push_back({Paragraph::Tone::plain, fmt::format("{} over {}, {} degrees of freedom. {}", plural(a.samples(), "sample"),
-                                                     show_time(a, a.samples() - 1), a.machine().dof(), a.scenario().load.description)});
+  const auto joined = [](std::string lines) {
+    for (std::size_t at = 0; (at = lines.find('\n', at)) != std::string::npos;) lines.replace(at, 1, at + 1 < lines.size() ? "; " : "");
+    return lines;
+  };
+  const auto tell = [&](const std::string& text) { out.push_back({Paragraph::Tone::plain, text}); };
+  tell(fmt::format("{} over {}, {} degrees of freedom.", plural(a.samples(), "sample"), show_time(a, a.samples() - 1), a.machine().dof()));
+  tell(fmt::format("Motion: {}.", joined(a.scenario().motion.description)));
+  tell(fmt::format("Load on the platform: {}.", joined(a.scenario().load.description)));
   return out;
 }
 

@@ -34,7 +34,7 @@ std::string value_of(const mechanics::ParameterInfo& p, const std::vector<double
   if (p.kind == PM_CHOICE) return p.choices[static_cast<std::size_t>(value[0])];
   const std::optional<Unit> unit = parse_unit(p.display);
   std::string out;
-  for (const double x : value) out += (out.empty() ? "" : ", ") + format_number(unit ? x / unit->factor : x, 6);
+  for (const double x : value) out += (out.empty() ? "" : ", ") + typeset(format_number(unit ? x / unit->factor : x, 6));
   return out.empty() ? "–" : out;
 }
 
@@ -91,7 +91,7 @@ Table bodies(const mechanics::Machine& m) {
     const Body& b = t.bodies[i];
     const Eigen::Vector3d c = b.inertia.centre * 1e3, d = b.inertia.about_centre.diagonal();
     table.rows.push_back({b.name, b.limb > 0 ? std::to_string(b.limb) : "–", format_number(b.inertia.mass, 4),
-                          fmt::format("({}, {}, {})", format_number(c.x(), 4), format_number(c.y(), 4), format_number(c.z(), 4)),
+                          typeset(fmt::format("({}, {}, {})", format_number(c.x(), 4), format_number(c.y(), 4), format_number(c.z(), 4))),
                           fmt::format("{}, {}, {}", format_number(d.x(), 4), format_number(d.y(), 4), format_number(d.z(), 4))});
   }
   return table;

@@ -40,16 +40,20 @@ figure::Panel panel(const Analysis& a, const std::string& title, const std::stri
 
 std::vector<Curve> group(const Analysis& a, const std::string& section, const std::string& name, const std::string& unit) {
   std::vector<Curve> out;
+  const bool vector = name == "velocity" || name == "angular_velocity" || name == "acceleration" || name == "angular_acceleration";
   for (const Column& c : mechanics::columns_of(section, a.machine().topology())) {
     if (c.group != name || (!unit.empty() && c.unit != unit)) continue;
-    std::string stem = c.name;
-    for (const char* suffix : {"_rate", "_acceleration", "_force", "_deflection", "_angle"})
-      if (stem.ends_with(suffix) && stem.size() > std::string_view(suffix).size())
-        stem.resize(stem.size() - std::string_view(suffix).size());
-    if (c.group == "velocity" || c.group == "angular_velocity" || c.group == "acceleration" || c.group == "angular_acceleration")
-      stem = c.name.substr(c.name.size() - 1);
+    std::string stem = vector ? c.name.substr(c.name.size() - 1) : c.name;  // a vector's components are labelled by their axes
+    for (const std::string_view suffix : {"_rate", "_acceleration", "_force", "_deflection", "_angle"})
+      if (stem.ends_with(suffix)) stem.resize(stem.size() - suffix.size());
     out.push_back({c.name, symbol(stem)});
   }
+  // x, y, z and alpha, beta, gamma in this order, whichever of them is the dependent one.
+  if (name.starts_with("coordinate")) std::sort(out.begin(), out.end(), [](const Curve& x, const Curve& y) { return x.column < y.column; });
+  // The force of l3 is F3.
+  if (name == "actuator_force")
+    for (Curve& c : out) c.label = "F" + c.label.substr(std::min(c.label.size(), c.label.find_first_not_of("abcdefghijklmnopqrstuvwxyz")));
+  if (name == "constraint" && out.size() == 1) out.front().label = "Fτ";
   return out;
 }
 
@@ -71,8 +75,8 @@ document::Table extremes(const Analysis& a, const std::string& caption, const st
     }
     const double smallest = x[static_cast<std::size_t>(low)], largest = x[static_cast<std::size_t>(high)];
     const DisplayUnit d = display_unit(c.unit, std::max(std::abs(smallest), std::abs(largest)));
-    table.rows.push_back({c.name, c.title, format_number(smallest * d.per_si, 5), show_time(a, low), format_number(largest * d.per_si, 5),
-                          show_time(a, high), d.label});
+    table.rows.push_back({c.name, c.title, typeset(format_number(smallest * d.per_si, 5)), show_time(a, low),
+                          typeset(format_number(largest * d.per_si, 5)), show_time(a, high), d.label});
   }
   return table;
 }

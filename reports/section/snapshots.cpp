@@ -15,7 +15,7 @@ using document::Paragraph;
 namespace {
 
 constexpr double deg = std::numbers::pi / 180;
-const scenario::View isometric{"isometric", -37.5 * deg, 26 * deg};
+const scenario::View isometric{"isometric", 45 * deg, std::atan(1 / std::numbers::sqrt2)};
 constexpr int framed_poses = 64;  // enough to bound a smooth motion; every pose would cost more than the picture
 
 }  // namespace

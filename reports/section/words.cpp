@@ -10,7 +10,7 @@ namespace pmreport::section {
 
 std::string show(double si, std::string_view unit, int digits) {
   const DisplayUnit d = display_unit(unit, std::abs(si));
-  const std::string number = format_number(si * d.per_si, digits);
+  const std::string number = typeset(format_number(si * d.per_si, digits));
   return d.label.empty() ? number : d.label == "°" ? number + "°" : number + " " + d.label;
 }
 
@@ -38,6 +38,11 @@ std::string symbol(std::string_view name) {
   for (const char c : name.substr(digits))
     out += fmt::format("\xE2\x82{}", static_cast<char>('\x80' + (c - '0')));  // subscript digits U+2080..
   return out;
+}
+
+std::string typeset(std::string number) {
+  for (std::size_t at = 0; (at = number.find('-', at)) != std::string::npos; at += 3) number.replace(at, 1, "−");
+  return number;
 }
 
 std::string typographic(std::string_view unit) {

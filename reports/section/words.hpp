@@ -15,6 +15,8 @@ std::string show(double si, std::string_view unit, int digits = 4);
 std::string show_time(const Analysis& a, int sample);
 // "l₁", "α", "ρ₃": a name of the program as a symbol of the field.
 std::string symbol(std::string_view name);
+// A number with a true minus sign, for tables and sentences.
+std::string typeset(std::string number);
 // "kg·m²", "°": a unit as it is set in tables.
 std::string typographic(std::string_view unit);
 std::string plural(int n, const std::string& singular, const std::string& many = "");  // "1 sample", "12 samples"

@@ -120,7 +120,7 @@ std::string bytes_of(const fs::path& file) {
 
 std::map<std::string, std::string> content_of(const fs::path& folder) {
   std::map<std::string, std::string> content;
-  if (!fs::exists(folder)) return content;
+  if (!fs::is_directory(folder)) return content;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_directory()) content[entry.path().lexically_relative(folder).string()] = bytes_of(entry.path());
   }

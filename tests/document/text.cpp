@@ -44,7 +44,7 @@ TEST_CASE("a unit is set with real dots and exponents") {
 }
 
 TEST_CASE("control characters and broken UTF-8 do not reach a file") {
-  CHECK(clean(std::string("a\0b\x01\x1b[31m\tc\n", 11)) == "ab[31m\tc\n");
+  CHECK(clean(std::string("a\0b\x01\x1b[31m\tc\n", 12)) == "ab[31m\tc\n");
   CHECK(clean("\xff\xfe") == "\uFFFD\uFFFD");
   CHECK(clean("\xed\xa0\x80") == "\uFFFD\uFFFD\uFFFD");  // half of a surrogate pair
   CHECK(clean("end \xe2\x82") == "end \uFFFD\uFFFD");    // cut in the middle

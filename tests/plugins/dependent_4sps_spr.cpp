@@ -98,14 +98,14 @@ TEST_CASE("z cannot be dependent: the default axis is horizontal") {
   }
 }
 
-TEST_CASE("a revolute axis along limb 5 at home is refused with the millimetres that do not close") {
+TEST_CASE("a revolute axis that is not across limb 5 at home is refused with the direction of the limb") {
   try {
     const Machine machine(test::four_sps_spr(), test::values_with(test::four_sps_spr(), {{"revolute_axis", {1, 0, 0}}}));
     FAIL("was accepted");
   } catch (const MechanismError& e) {
     CHECK(e.status == PM_BAD_ARGUMENT);
-    // A5 - p - B5 along x: 0.4 cos 315 deg - 0.1 cos 288 deg = 251.941 mm.
-    CHECK_THAT(e.what(), Catch::StartsWith("home cannot be assembled") && Catch::Contains("251.941 mm along the axis"));
+    // A5 - p - B5 = (0.4 cos 315 deg - 0.1 cos 288 deg, 0.4 sin 315 deg - 0.1 sin 288 deg, -0.55).
+    CHECK_THAT(e.what(), Catch::StartsWith("home cannot be assembled") && Catch::Contains("(0.251941, -0.187737, -0.55)"));
   }
 }
 

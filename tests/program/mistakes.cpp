@@ -41,7 +41,8 @@ TEST_CASE("a syntax error is told with its line and column, and a hint for a qua
 }
 
 TEST_CASE("an unknown key is refused with the key that was meant") {
-  check_refused(with(small, {{"samples", "sampels"}}), "scenario.toml:8:1: error: unknown key \"sampels\" in [motion]; did you mean \"samples\"?");
+  check_refused(with(small, {{"samples", "sampels"}}),
+                "scenario.toml:8:1: error: unknown key \"sampels\" in [motion]; did you mean \"samples\"?");
 }
 
 TEST_CASE("a value of the wrong type is refused") {
@@ -83,8 +84,9 @@ TEST_CASE("a dependent coordinate cannot be prescribed") {
 }
 
 TEST_CASE("parameters with which home cannot be assembled are refused with the mechanism's reason") {
-  check_refused(with(small, {{"\"4sps-spr\"", "\"4sps-spr\"\nparameters = { revolute_axis = [1, 0, 0] }"}}),
-                "scenario.toml:5:16: error: 4sps-spr refuses its parameters: home cannot be assembled: revolute_axis must be perpendicular");
+  check_refused(
+      with(small, {{"\"4sps-spr\"", "\"4sps-spr\"\nparameters = { revolute_axis = [1, 0, 0] }"}}),
+      "scenario.toml:5:16: error: 4sps-spr refuses its parameters: home cannot be assembled: revolute_axis must be perpendicular");
 }
 
 TEST_CASE("a check of a column that the report does not have is refused") {

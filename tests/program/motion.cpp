@@ -63,7 +63,8 @@ TEST_CASE("a motion out of reach is told, leaves a gap in the data and nowhere a
 
 TEST_CASE("a motion that is never in reach makes a report all the same") {
   const Workshop here;
-  const Result result = here.report(with(small, {{alpha, "-60 deg"}, {"[[check]]", "[[section]]\nkind = \"snapshots\"\nsize = [400, 300]\n\n[[check]]"}}));
+  const Result result =
+      here.report(with(small, {{alpha, "-60 deg"}, {"[[check]]", "[[section]]\nkind = \"snapshots\"\nsize = [400, 300]\n\n[[check]]"}}));
   CHECK(result.status == 1);
   CHECK_THAT(result.out, Contains("has no value to judge"));
   CHECK_THAT(warnings(here), Contains("no picture, the mechanism cannot be assembled"));
@@ -94,7 +95,10 @@ TEST_CASE("a limb beyond the end of its stroke is told with the time, the length
     REQUIRE(beyond > 1);
     std::smatch found;
     const std::string told = warnings(here);
-    REQUIRE(std::regex_search(told, found, std::regex("t = ([0-9.]+) s to 2 s: " + limb + R"( \(length of limb .\) needs ([0-9.]+) mm, its stroke ends at 850 mm \(worst at t = 2 s, ([0-9]+) samples\))")));
+    REQUIRE(std::regex_search(
+        told, found,
+        std::regex("t = ([0-9.]+) s to 2 s: " + limb +
+                   R"( \(length of limb .\) needs ([0-9.]+) mm, its stroke ends at 850 mm \(worst at t = 2 s, ([0-9]+) samples\))")));
     CHECK(std::stoi(found[3]) == beyond);
     CHECK(std::stod(found[2]) == Approx(l.back() * 1e3).epsilon(1e-4));  // told with five digits or so
   }

@@ -130,7 +130,11 @@ TEST_CASE("a full disk leaves the earlier report and nothing beside it") {
   const Mount disk(here / "disk", "size=256k");
   if (!disk) return;
   const std::string out = (disk.path() / "report").string();
-  const std::string one = with(small, {{"kind = \"displacement\"", "kind = \"mechanism\""}, {"kind = \"velocity\"", "kind = \"snapshots\"\nsize = [640, 480]"}, {"[[section]]\nkind = \"acceleration\"\n", ""}, {"[[section]]\nkind = \"statics\"\n", ""}, {small.substr(small.find("[[check]]")), ""}});
+  const std::string one = with(small, {{"kind = \"displacement\"", "kind = \"mechanism\""},
+                                       {"kind = \"velocity\"", "kind = \"snapshots\"\nsize = [640, 480]"},
+                                       {"[[section]]\nkind = \"acceleration\"\n", ""},
+                                       {"[[section]]\nkind = \"statics\"\n", ""},
+                                       {small.substr(small.find("[[check]]")), ""}});
   here.write("disk/report/results.json", "");
   std::filesystem::remove(here / "disk/report/results.json");
   const Result result = here.report(one, {"--out", out});

@@ -66,7 +66,8 @@ Process::Process(const std::vector<std::string>& command, const Surroundings& s)
   if (s.no_err) posix_spawn_file_actions_addclose(&actions, 2);
 
   std::vector<std::string> arguments = command, environment = environment_with(s.environment);
-  const int error = posix_spawnp(&id_, arguments.front().c_str(), &actions, nullptr, pointers(arguments).data(), pointers(environment).data());
+  const int error =
+      posix_spawnp(&id_, arguments.front().c_str(), &actions, nullptr, pointers(arguments).data(), pointers(environment).data());
   posix_spawn_file_actions_destroy(&actions);
   close(out.theirs);
   close(err.theirs);
