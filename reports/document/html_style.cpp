@@ -81,7 +81,7 @@ pre { counter-reset: line; background: var(--shade); padding: 1rem; overflow-x: 
 dl { display: grid; grid-template-columns: max-content minmax(0, 1fr); gap: .3rem 1.6rem; margin: 0; font-size: .925rem; }
 dt { color: var(--quiet); } dd { margin: 0; overflow-wrap: anywhere; }
 
-@media (max-width: 60rem) {
+@media screen and (max-width: 60rem) {
   html { scroll-padding-top: 3.6rem; }
   body { display: block; }
   nav { z-index: 1; max-height: none; overflow: visible; padding: 0; background: #fff; border-bottom: 1px solid var(--rule); }
@@ -95,13 +95,15 @@ dt { color: var(--quiet); } dd { margin: 0; overflow-wrap: anywhere; }
 
 @media print {
   @page { size: A4; margin: 18mm; }
-  body { display: block; font-size: 9.5pt; }
+  html { font-size: 9.5pt; }
+  body { display: block; }
   nav, .files { display: none; }
   main { padding: 0; }
   a { color: inherit; text-decoration: none; }
   section { margin-top: 1.6rem; }
   h2, caption, thead { break-after: avoid; }
   figure, tr, .verdict, .warning { break-inside: avoid; }
+  .gallery { break-inside: auto; }
   .scroll { overflow: visible; background: none; }
   .proof, .plot.full svg { min-width: 0; }
   pre { white-space: pre-wrap; overflow: visible; }

@@ -1,5 +1,6 @@
-// The programs that run per vertex and per pixel, GLSL 3.30. Colours are linear light inside them. Between them samples hold the square root of
-// the light: as even to the eye as sRGB in eight bits, and far cheaper where every pixel has four samples to write. The last one writes sRGB.
+// The programs that run per vertex and per pixel, GLSL 3.30. Colours are linear light inside them. Between them samples hold the square
+// root of the light: as even to the eye as sRGB in eight bits, and far cheaper where every pixel has four samples to write. The last one
+// writes sRGB.
 #pragma once
 
 namespace pmreport::scene::shaders {

@@ -18,11 +18,11 @@ struct Result {
 };
 
 struct Surroundings {
-  std::map<std::string, std::string> environment;  // added to that of the test, without what steers pmreport; empty: not set
-  std::filesystem::path folder;                    // working directory; empty: that of the test
-  bool terminal = false;                           // stderr is a terminal
-  std::optional<std::filesystem::path> out;        // stdout goes to this file
-  bool no_out = false, no_err = false;             // stdout, stderr closed from the start
+  std::map<std::string, std::string> environment{};  // added to that of the test, without what steers pmreport; empty: not set
+  std::filesystem::path folder{};                    // working directory; empty: that of the test
+  bool terminal = false;                             // stderr is a terminal
+  std::optional<std::filesystem::path> out{};        // stdout goes to this file
+  bool no_out = false, no_err = false;               // stdout, stderr closed from the start
 };
 
 class Process {

@@ -52,7 +52,7 @@ std::map<std::string, std::string> contents(const fs::path& folder) {
   return out;
 }
 
-const std::string small = R"(title = "Small"
+const std::string small = R"toml(title = "Small"
 
 [mechanism]
 use = "4sps-spr"
@@ -82,7 +82,7 @@ kind = "statics"
 [[check]]
 that = "max(abs(actuator_force))"
 below = "400 N"
-)";
+)toml";
 
 std::string with(std::string text, const std::vector<std::pair<std::string, std::string>>& changes) {
   for (const auto& [from, to] : changes) {
