@@ -14,6 +14,7 @@ ForwardSolver::ForwardSolver(const Machine& machine)
   const Topology& t = machine.topology();
   for (int i = 0; i < static_cast<int>(t.joints.size()); ++i)
     size_ = std::max(size_, (machine.centre(machine.home_pose(), i) - machine.centre(machine.home_pose(), 0)).norm());
+  if (size_ == 0) size_ = 1;  // all joints in one point: a size says nothing
   largest_step_.resize(machine.dof());
   for (int i = 0; i < machine.dof(); ++i) largest_step_(i) = t.coordinates[static_cast<std::size_t>(i)].unit == "m" ? 0.1 * size_ : 0.3;
 }

@@ -12,7 +12,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-std::string checked(const std::string& checks) { return small.substr(0, small.find("[[check]]")) + checks; }
+std::string checked(const std::string& checks) { return std::string(small.substr(0, small.find("[[check]]"))) + checks; }
 std::string check(const std::string& that, const std::string& bound) { return "[[check]]\nthat = \"" + that + "\"\n" + bound + "\n\n"; }
 
 Json results(const Workshop& here) { return Json::parse(bytes_of(here.report_folder() / "results.json")); }

@@ -98,9 +98,9 @@ TEST_CASE("a limb beyond the end of its stroke is told with the time, the length
     REQUIRE(std::regex_search(
         told, found,
         std::regex("t = ([0-9.]+) s to 2 s: " + limb +
-                   R"( \(length of limb .\) needs ([0-9.]+) mm, its stroke ends at 850 mm \(worst at t = 2 s, ([0-9]+) samples\))")));
+                   R"( \(length of limb .\) needs ([0-9.]+) mm, its stroke ends at 850 mm \(worst at t = [0-9.]+ s, ([0-9]+) samples\))")));
     CHECK(std::stoi(found[3]) == beyond);
-    CHECK(std::stod(found[2]) == Approx(l.back() * 1e3).epsilon(1e-4));  // told with five digits or so
+    CHECK(std::stod(found[2]) == Approx(*std::max_element(l.begin(), l.end()) * 1e3).epsilon(5e-4));  // told with four digits
   }
   CHECK_THAT(result.out, Contains("FAILED  strokes and joint limits are kept: "));
   // The values stand in the data: a limit is no gap.

@@ -134,7 +134,7 @@ TEST_CASE("a full disk leaves the earlier report and nothing beside it") {
                                        {"kind = \"velocity\"", "kind = \"snapshots\"\nsize = [640, 480]"},
                                        {"[[section]]\nkind = \"acceleration\"\n", ""},
                                        {"[[section]]\nkind = \"statics\"\n", ""},
-                                       {small.substr(small.find("[[check]]")), ""}});
+                                       {std::string(small.substr(small.find("[[check]]"))), ""}});
   here.write("disk/report/results.json", "");
   std::filesystem::remove(here / "disk/report/results.json");
   const Result result = here.report(one, {"--out", out});

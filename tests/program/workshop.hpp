@@ -35,9 +35,39 @@ std::string bytes_of(const std::filesystem::path& file);
 std::map<std::string, std::string> contents(const std::filesystem::path& folder);
 
 // A sound scenario of 21 samples in 2 s without pictures, all sections of curves, one check that passes.
-extern const std::string small;
-// `text` with every first part replaced, once, by the second. Throws when a part is not there.
-std::string with(std::string text, const std::vector<std::pair<std::string, std::string>>& changes);
+inline constexpr std::string_view small = R"toml(title = "Small"
+
+[mechanism]
+use = "4sps-spr"
+
+[motion]
+duration = "2 s"
+samples = 21
+x = "20 mm * sin(2*pi*t/2 s)"
+z = "550 mm"
+alpha = "1 deg * (1 - cos(2*pi*t/2 s))"
+
+[load]
+force = ["0 N", "10 N", "-10 N"]
+
+[[section]]
+kind = "displacement"
+
+[[section]]
+kind = "velocity"
+
+[[section]]
+kind = "acceleration"
+
+[[section]]
+kind = "statics"
+
+[[check]]
+that = "max(abs(actuator_force))"
+below = "400 N"
+)toml";
+// A scenario with every first part replaced, once, by the second. Throws when a part is not there.
+std::string with(std::string_view scenario, const std::vector<std::pair<std::string, std::string>>& changes);
 
 // The columns of a data file by name; a cell without a number is a NaN.
 std::map<std::string, std::vector<double>> columns(const std::filesystem::path& csv);
