@@ -4,6 +4,7 @@
 #include <core/scenario/scenario.hpp>
 #include <reports/document/report.hpp>
 #include <reports/program/describe.hpp>
+#include <reports/program/worker.hpp>
 #include <reports/section/section.hpp>
 
 #include <fmt/core.h>
@@ -55,6 +56,7 @@ struct Options {
   std::vector<fs::path> plugin_path;
   bool check_only = false, quiet = false;
   int threads = 0;
+  double timeout = 0;  // [s]
 };
 
 // One line on a terminal, overwritten; nothing in a pipe or a log.
@@ -208,6 +210,7 @@ int main(int argc, char** argv) {
   app.add_option("--plugin-path", options.plugin_path, "folder with plugins, searched first; may be repeated");
   app.add_option("--threads", options.threads, "threads to use (default: all cores); the report does not depend on it")
       ->check(CLI::PositiveNumber);
+  app.add_option("--timeout", options.timeout, "give up after so many seconds (default: never)")->check(CLI::PositiveNumber);
 
   CLI::App* list_command = app.add_subcommand("list", "list the mechanisms and their files");
   CLI::App* describe_command = app.add_subcommand("describe", "describe a mechanism: coordinates, actuators, parameters, joints");
@@ -224,6 +227,8 @@ int main(int argc, char** argv) {
     const int status = app.exit(e);
     return status == 0 ? all_well : bad_scenario;
   }
+  if (const std::optional<int> status = program::run_in_worker(argv, options.timeout)) return *status;
+
   std::optional<tbb::global_control> threads;
   if (options.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
 

@@ -132,7 +132,7 @@ Section acceleration_section(const Analysis& a) {
 std::vector<Section> overview_section(const Analysis& a) {
   figure::Figure f{
       "overview",
-      "The motion at a glance: position and orientation of the platform, then displacement, rate, acceleration and force of the actuators",
+      "The motion at a glance: position and orientation of the platform, then displacement, rate, acceleration and force of the actuators.",
       "",
       figure::Width::full,
       2,

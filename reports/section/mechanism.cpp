@@ -92,7 +92,7 @@ Table bodies(const mechanics::Machine& m) {
     const Eigen::Vector3d c = b.inertia.centre * 1e3, d = b.inertia.about_centre.diagonal();
     table.rows.push_back({b.name, b.limb > 0 ? std::to_string(b.limb) : "–", format_number(b.inertia.mass, 4),
                           typeset(fmt::format("({}, {}, {})", format_number(c.x(), 4), format_number(c.y(), 4), format_number(c.z(), 4))),
-                          fmt::format("{}, {}, {}", format_number(d.x(), 4), format_number(d.y(), 4), format_number(d.z(), 4))});
+                          typeset(fmt::format("{}, {}, {}", format_number(d.x(), 4), format_number(d.y(), 4), format_number(d.z(), 4)))});
   }
   return table;
 }

@@ -94,7 +94,7 @@ TEST_CASE("z cannot be dependent: the default axis is horizontal") {
     FAIL("was accepted");
   } catch (const MechanismError& e) {
     CHECK(e.status == PM_BAD_ARGUMENT);
-    CHECK(std::string(e.what()) == "z cannot be the dependent coordinate: the revolute axis does not determine it at home");
+    CHECK(std::string(e.what()) == "z cannot be the dependent coordinate: it is not determined at home");
   }
 }
 

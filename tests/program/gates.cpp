@@ -82,7 +82,7 @@ TEST_CASE("a broken gate fails the run, with the sample, the column, the value a
                              !Contains("max(z)") && Contains("FAILED: 6 checks, ") &&
                              Contains(", 2 failed; scenario-report/report.html\n"));
   check_consistent(here, 1);
-  CHECK_THAT(bytes_of(here.report_folder() / "junit.xml"), Contains("file=\"scenario.toml\" line=\"27\""));
+  CHECK_THAT(bytes_of(here.report_folder() / "junit.xml"), Contains("file=\"scenario.toml\" line=\"28\""));
 }
 
 TEST_CASE("--quiet keeps the exit status of a broken gate") {

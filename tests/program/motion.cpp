@@ -29,9 +29,9 @@ void check_no_nan(const Workshop& here) {
 
 // The warnings of the summary, which stand in every form of the report.
 std::string warnings(const Workshop& here) {
+  const auto json = nlohmann::json::parse(bytes_of(here.report_folder() / "results.json"));
   std::string out;
-  for (const auto& w : nlohmann::json::parse(bytes_of(here.report_folder() / "results.json"))["warnings"])
-    out += w["text"].get<std::string>() + "\n";
+  for (const auto& w : json["warnings"]) out += w["text"].get<std::string>() + "\n";
   return out;
 }
 
