@@ -65,6 +65,10 @@ void add_values(Report& r, const Analysis& a, const std::string& section) {
 Report make_report(const scenario::Scenario& s, const mechanics::Machine& m, const std::string& version, const std::string& build,
                    const Progress& progress) {
   progress.say(fmt::format("{} samples of {}", s.motion.time.size(), m.info().name));
+  scene::Studio studio;
+  const bool pictures =
+      std::any_of(s.sections.begin(), s.sections.end(), [](const auto& r) { return r.kind == "mechanism" || r.kind == "snapshots"; });
+  if (pictures) studio.prepare();  // while the analysis runs
   const Analysis a(s, m, progress);
 
   Report r;
@@ -77,7 +81,7 @@ Report make_report(const scenario::Scenario& s, const mechanics::Machine& m, con
   r.provenance = {"pmreport", version, m.info().name, build, s.file.filename().string(), sha256(s.text)};
   r.checks = evaluate_checks(a);
 
-  const Stage stage(a);
+  const Stage stage(a, studio);
   std::vector<document::Section> overview = overview_section(a);
   std::set<std::string> data;
   int snapshots = 0;

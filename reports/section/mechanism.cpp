@@ -118,8 +118,9 @@ document::Section mechanism_section(const Analysis& a, const Stage& stage) {
   const mechanics::Machine& m = a.machine();
   const mechanics::Mobility& mob = a.mobility();
   document::Section s{"mechanism", "mechanism", "Mechanism", {}};
+  Stage::Ordered portrait = stage.portrait("mechanism");
   s.blocks.push_back(Paragraph{Paragraph::Tone::plain, m.info().title + ". Source: " + m.info().source + "."});
-  s.blocks.push_back(document::Gallery{{stage.portrait(a, "mechanism")}, ""});
+  s.blocks.push_back(document::Gallery{{portrait.wait()}, ""});
   s.blocks.push_back(parameters(a));
   s.blocks.push_back(joints(m));
   s.blocks.push_back(bodies(m));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <reports/document/report.hpp>
-#include <reports/scene/scene.hpp>
+#include <reports/scene/studio.hpp>
 #include <reports/section/analysis.hpp>
 
 namespace pmreport::section {
@@ -10,12 +10,20 @@ namespace pmreport::section {
 // Cameras shared by all pictures of a report: framed over the whole motion, so that pictures of one view compare.
 class Stage {
  public:
-  explicit Stage(const Analysis& a);
-  document::Picture picture(const Analysis& a, int sample, const scenario::View& view, const scenario::SectionRequest& r,
-                            const std::string& id) const;
-  document::Picture portrait(const Analysis& a, const std::string& id) const;  // the home pose, with labels and frames
+  Stage(const Analysis& a, scene::Studio& studio);
+
+  // A picture whose PNG is still being made.
+  struct Ordered {
+    document::Picture picture;
+    std::future<std::string> png;
+    document::Picture wait();
+  };
+  Ordered picture(int sample, const scenario::View& view, const scenario::SectionRequest& r, const std::string& id) const;
+  Ordered portrait(const std::string& id) const;  // the home pose, with labels and frames
 
  private:
+  const Analysis& analysis_;
+  scene::Studio& studio_;
   scene::Bounds bounds_;
   std::vector<Eigen::Vector3d> path_;
 };

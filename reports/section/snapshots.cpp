@@ -20,10 +20,11 @@ constexpr int framed_poses = 64;  // enough to bound a smooth motion; every pose
 
 }  // namespace
 
-Stage::Stage(const Analysis& a) {
+Stage::Stage(const Analysis& a, scene::Studio& studio) : analysis_(a), studio_(studio) {
   scene::include(bounds_, a.machine(), a.machine().home_pose());
-  const int step = std::max(1, a.samples() / framed_poses);
-  for (int k = 0; k < a.samples(); k += k + step < a.samples() || k == a.samples() - 1 ? step : a.samples() - 1 - k) {
+  const int n = std::min(framed_poses, a.samples());
+  for (int i = 0; i < n; ++i) {
+    const int k = n > 1 ? i * (a.samples() - 1) / (n - 1) : 0;
     if (a.condition(k) == Condition::unreachable) continue;
     const mechanics::Pose pose = a.pose(k);
     scene::include(bounds_, a.machine(), pose);
@@ -31,31 +32,34 @@ Stage::Stage(const Analysis& a) {
   }
 }
 
-document::Picture Stage::picture(const Analysis& a, int sample, const scenario::View& view, const scenario::SectionRequest& r,
-                                 const std::string& id) const {
+document::Picture Stage::Ordered::wait() {
+  picture.png = png.get();
+  return std::move(picture);
+}
+
+Stage::Ordered Stage::picture(int sample, const scenario::View& view, const scenario::SectionRequest& r, const std::string& id) const {
   scene::Extras extras;
   if (r.path) extras.path = path_;
   if (r.load) {
-    extras.force = a.scenario().load.force[static_cast<std::size_t>(sample)];
-    extras.moment = a.scenario().load.moment[static_cast<std::size_t>(sample)];
+    extras.force = analysis_.scenario().load.force[static_cast<std::size_t>(sample)];
+    extras.moment = analysis_.scenario().load.moment[static_cast<std::size_t>(sample)];
   }
   extras.labels = r.labels;
   extras.frames = r.frames;
   const scene::Camera camera = scene::frame(bounds_, view.azimuth, view.elevation, static_cast<double>(r.width) / r.height);
-  const scene::Quality quality{r.width, r.height, r.transparent, 2};
-  return {id, fmt::format("t = {}, {} view", show_time(a, sample), view.name),
-          scene::to_png(scene::render(scene::build(a.machine(), a.pose(sample), extras), camera, quality)), r.width, r.height};
+  return {{id, fmt::format("t = {}, {} view", show_time(analysis_, sample), view.name), "", r.width, r.height},
+          studio_.take(scene::build(analysis_.machine(), analysis_.pose(sample), extras), camera, {r.width, r.height, r.transparent, 2})};
 }
 
-document::Picture Stage::portrait(const Analysis& a, const std::string& id) const {
+Stage::Ordered Stage::portrait(const std::string& id) const {
   const scene::Quality quality{};
+  const mechanics::Machine& machine = analysis_.machine();
   scene::Bounds home;
-  scene::include(home, a.machine(), a.machine().home_pose());
+  scene::include(home, machine, machine.home_pose());
   const scene::Camera camera =
       scene::frame(home, isometric.azimuth, isometric.elevation, static_cast<double>(quality.width) / quality.height);
-  return {id, "The mechanism at home, isometric view, joints and frames.",
-          scene::to_png(scene::render(scene::build(a.machine(), a.machine().home_pose(), {}), camera, quality)), quality.width,
-          quality.height};
+  return {{id, "The mechanism at home, isometric view, joints and frames.", "", quality.width, quality.height},
+          studio_.take(scene::build(machine, machine.home_pose(), {}), camera, quality)};
 }
 
 document::Section snapshots_section(const Analysis& a, const scenario::SectionRequest& r, const Stage& stage, const Progress& progress,
@@ -63,20 +67,21 @@ document::Section snapshots_section(const Analysis& a, const scenario::SectionRe
   const std::string suffix = number > 1 ? std::to_string(number) : "";
   document::Section s{"snapshots" + suffix, "snapshots", "Snapshots", {}};
   document::Gallery gallery{{}, "All pictures of one view share one camera, framed over the whole motion."};
-  int index = 0;
+  std::vector<Stage::Ordered> ordered;
   for (const double t : r.times)
     for (const scenario::View& view : r.views) {
-      progress.stop_if_asked();
       const int k = a.sample_at(t);
-      ++index;
-      if (a.condition(k) == Condition::unreachable) {
+      if (a.condition(k) == Condition::unreachable)
         s.blocks.push_back(Paragraph{Paragraph::Tone::warning,
                                      fmt::format("t = {}: no picture, the mechanism cannot be assembled: {}.", show_time(a, k), a.why(k))});
-        continue;
-      }
-      progress.say(fmt::format("picture {} of {}", index, r.times.size() * r.views.size()));
-      gallery.pictures.push_back(stage.picture(a, k, view, r, fmt::format("snapshot{}-{}", suffix, index)));
+      else
+        ordered.push_back(stage.picture(k, view, r, fmt::format("snapshot{}-{}", suffix, ordered.size() + 1)));
     }
+  for (Stage::Ordered& o : ordered) {
+    progress.stop_if_asked();
+    progress.say(fmt::format("picture {} of {}", gallery.pictures.size() + 1, ordered.size()));
+    gallery.pictures.push_back(o.wait());
+  }
   if (!gallery.pictures.empty()) s.blocks.push_back(gallery);
   return s;
 }

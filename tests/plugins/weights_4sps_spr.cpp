@@ -13,7 +13,7 @@ using namespace pmreport::mechanics;
 
 TEST_CASE("at rest the actuators carry load and weights as the reference cases say") {
   const auto reference = nlohmann::json::parse(std::ifstream(TEST_DATA "/4sps-spr.json"));
-  const double g = reference["meta"]["default_parameters"]["g"];
+  const double g = nlohmann::json::parse(std::string(reference["meta"]["default_parameters"]["g"]));  // "9.81"
   const Machine machine = test::make_four_sps_spr();
   int cases = 0;
   for (const auto& c : reference["cases"]) {

@@ -143,7 +143,7 @@ TEST_CASE("describe and check of an unknown name tell the known ones") {
 }
 
 TEST_CASE("check passes sound mechanisms, by name and by file") {
-  for (const char* name : {"4sps-spr", PLUGINS "/4sps-spr.so"}) {
+  for (const char* name : {"4sps-spr", PLUGINS "/4sps-spr.so", FIXTURES "/plain.so"}) {
     const Result result = pmreport({"check", name, "--poses", "100"});
     CAPTURE(name, result.out, result.err);
     CHECK(result.status == 0);
