@@ -95,7 +95,7 @@ ForwardSolution ForwardSolver::solve(const SmallVector& actuators, const SmallVe
     }
     e = next;
   }
-  place(out.coordinates);
+  if (out.coordinates != q) place(out.coordinates);
   if (determinant() * side > 0) {
     out.outcome = ForwardOutcome::converged;
   } else {

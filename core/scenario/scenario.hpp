@@ -1,13 +1,14 @@
-// A scenario: what a user asks of a mechanism, read from TOML and validated against the mechanism. All errors of a file are told in one run.
+// A scenario: what a user asks of a mechanism, read from TOML and validated against the mechanism. All errors of a file are told in one
+// run.
 #pragma once
 
 #include <Eigen/Core>
 #include <core/mechanics/machine.hpp>
+#include <core/scenario/units.hpp>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
-#include <core/scenario/units.hpp>
 #include <string>
 #include <variant>
 #include <vector>
@@ -32,54 +33,54 @@ class ScenarioError : public std::runtime_error {
 
 // The motion: independent coordinates against time, with exact first and second derivatives.
 struct Motion {
-  std::vector<double> time;                         // [s]
-  Eigen::MatrixXd value, rate, acceleration;        // one row a sample, one column an independent coordinate, SI
-  std::string description;                          // one line a coordinate, for the report: "x = 20 mm * sin(2*pi*t/10 s)"
+  std::vector<double> time;                   // [s]
+  Eigen::MatrixXd value, rate, acceleration;  // one row a sample, one column an independent coordinate, SI
+  std::string description;                    // one line a coordinate, for the report: "x = 20 mm * sin(2*pi*t/10 s)"
 };
 
-struct Load {  // wrench on the platform at its reference point, base axes, at every sample
-  std::vector<Eigen::Vector3d> force, moment;       // [N], [N m]
-  Eigen::Vector3d gravity{0, 0, 0};                 // [m/s^2]; none unless the scenario gives it: the bodies are weightless then
+struct Load {                                  // wrench on the platform at its reference point, base axes, at every sample
+  std::vector<Eigen::Vector3d> force, moment;  // [N], [N m]
+  Eigen::Vector3d gravity{0, 0, 0};            // [m/s^2]; none unless the scenario gives it: the bodies are weightless then
   std::string description;
 };
 
 struct View {
-  std::string name;          // "isometric", "front", "side", "top", or "azimuth 30°, elevation 20°"
-  double azimuth, elevation; // of the camera as seen from the platform [rad]; front looks along +Y
+  std::string name;           // "isometric", "front", "side", "top", or "azimuth 30°, elevation 20°"
+  double azimuth, elevation;  // of the camera as seen from the platform [rad]; front looks along +Y
 };
 
 // The options of a section, by kind. A section has its kind's options only; the rest stays at its default.
 struct SectionRequest {
-  std::string kind;                // "mechanism", "snapshots", "displacement", "velocity", "acceleration", "statics"
-  std::string title;               // empty: the kind's own
+  std::string kind;   // "mechanism", "snapshots", "displacement", "velocity", "acceleration", "statics"
+  std::string title;  // empty: the kind's own
   int line = 0;
   // snapshots
-  std::vector<double> times;       // [s]
-  std::vector<View> views;         // default: isometric
-  int width = 1600, height = 1200; // [px]
-  bool transparent = false;        // else white ground
+  std::vector<double> times;        // [s]
+  std::vector<View> views;          // default: isometric
+  int width = 1600, height = 1200;  // [px]
+  bool transparent = false;         // else white ground
   bool path = true, labels = true, frames = true, load = true;
 };
 
 // Gate over an output column or a group of columns: reduce(column) compared with bounds.
 struct Check {
-  std::string that;                          // as written: "max(abs(actuator_force))"
-  std::string reduction;                     // "min", "max", "rms", "at"
+  std::string that;       // as written: "max(abs(actuator_force))"
+  std::string reduction;  // "min", "max", "rms", "at"
   bool absolute = false;
-  std::vector<std::string> columns;          // resolved column names: l1_force, ... (see columns.hpp)
-  double time = 0;                           // for "at": at(l1, 2.5 s)
-  std::optional<double> below, above;        // SI; passes when below and above hold strictly
-  std::string unit;                          // SI unit of the columns
+  std::vector<std::string> columns;    // resolved column names: l1_force, ... (see columns.hpp)
+  double time = 0;                     // for "at": at(l1, 2.5 s)
+  std::optional<double> below, above;  // SI; passes when below and above hold strictly
+  std::string unit;                    // SI unit of the columns
   int line = 0;
 };
 
 struct Scenario {
   std::string title, author, description;
-  std::filesystem::path file;                // as given
-  std::string text;                          // the file itself, for the report
-  std::string mechanism;                     // name
+  std::filesystem::path file;  // as given
+  std::string text;            // the file itself, for the report
+  std::string mechanism;       // name
   mechanics::ParameterValues parameters;
-  std::vector<std::size_t> parameters_set;   // indices of those that the scenario gives
+  std::vector<std::size_t> parameters_set;  // indices of those that the scenario gives
   Motion motion;
   Load load;
   std::vector<SectionRequest> sections;

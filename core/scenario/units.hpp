@@ -9,13 +9,17 @@
 
 namespace pmreport {
 
-// Exponents of the base dimensions. The angle counts as one, so that 5 mm cannot pass for 5 degrees; functions such as sin take both an angle
-// and a plain number.
+// Exponents of the base dimensions. The angle counts as one, so that 5 mm cannot pass for 5 degrees; functions such as sin take both an
+// angle and a plain number.
 struct Dimension {
   int length = 0, mass = 0, time = 0, angle = 0;
   auto operator<=>(const Dimension&) const = default;
-  friend Dimension operator*(Dimension a, Dimension b) { return {a.length + b.length, a.mass + b.mass, a.time + b.time, a.angle + b.angle}; }
-  friend Dimension operator/(Dimension a, Dimension b) { return {a.length - b.length, a.mass - b.mass, a.time - b.time, a.angle - b.angle}; }
+  friend Dimension operator*(Dimension a, Dimension b) {
+    return {a.length + b.length, a.mass + b.mass, a.time + b.time, a.angle + b.angle};
+  }
+  friend Dimension operator/(Dimension a, Dimension b) {
+    return {a.length - b.length, a.mass - b.mass, a.time - b.time, a.angle - b.angle};
+  }
 };
 
 struct Unit {
@@ -26,9 +30,9 @@ struct Unit {
 
 // Parses a unit, "mm", "N*m", "kg*m^2", "m/s^2", "" (a plain number); nothing when it is none. SI prefixes are those of the table alone.
 std::optional<Unit> parse_unit(std::string_view text);
-std::vector<std::string> unit_symbols();      // the table, for "did you mean"
-std::string name_of(const Dimension& d);      // "a length", "an angle", "a force", "an angular velocity", "a plain number", else "m^2*kg/s"
-std::string example_of(const Dimension& d);   // a quantity a user could write there: "250 mm", "5 deg", "10 N"
+std::vector<std::string> unit_symbols();     // the table, for "did you mean"
+std::string name_of(const Dimension& d);     // "a length", "an angle", "a force", "an angular velocity", "a plain number", else "m^2*kg/s"
+std::string example_of(const Dimension& d);  // a quantity a user could write there: "250 mm", "5 deg", "10 N"
 
 // The unit in which values of SI unit `si` up to `largest` read best: lengths in mm (µm, m), angles in deg, forces in N or kN, rates and
 // accelerations accordingly. `label` is typographic ("mm/s²", "°", "N·m"): for axes and tables. Data files stay SI.

@@ -21,16 +21,16 @@ struct Paragraph {
 
 struct Table {
   std::string caption;
-  std::vector<std::string> headings;           // with unit: "stroke min [mm]"
-  std::vector<bool> numeric;                   // column is aligned right
+  std::vector<std::string> headings;  // with unit: "stroke min [mm]"
+  std::vector<bool> numeric;          // column is aligned right
   std::vector<std::vector<std::string>> rows;
 };
 
-struct Picture {                               // a snapshot
-  std::string id;                              // file name without extension
-  std::string caption;                         // "t = 0 s, isometric"
+struct Picture {        // a snapshot
+  std::string id;       // file name without extension
+  std::string caption;  // "t = 0 s, isometric"
   std::string png;
-  int width = 0, height = 0;                   // [px]
+  int width = 0, height = 0;  // [px]
 };
 struct Gallery {
   std::vector<Picture> pictures;
@@ -39,11 +39,11 @@ struct Gallery {
 
 // One line of proof: a residual that must stay below its tolerance.
 struct Evidence {
-  std::string claim;                           // "loop closure: every joint meets"
-  std::string how;                             // the two ways compared, or the definition, one sentence
-  double value = 0;                            // NaN: could not be computed, which fails
+  std::string claim;  // "loop closure: every joint meets"
+  std::string how;    // the two ways compared, or the definition, one sentence
+  double value = 0;   // NaN: could not be computed, which fails
   double tolerance = 0;
-  std::string unit;                            // SI, or "" for relative
+  std::string unit;  // SI, or "" for relative
   bool passed() const { return value <= tolerance; }
 };
 struct Proof {
@@ -53,34 +53,34 @@ struct Proof {
 using Block = std::variant<Paragraph, Table, figure::Figure, Gallery, Proof>;
 
 struct Section {
-  std::string id;                              // unique, for links: "displacement"
+  std::string id;  // unique, for links: "displacement"
   std::string kind, title;
   std::vector<Block> blocks;
 };
 
-struct Data {                                  // data/<name>.csv
-  std::string name;                            // "displacement"
-  std::vector<std::string> headings;           // "t [s]", "x [m]"
-  std::vector<std::vector<double>> columns;    // equally long; not finite: empty cell
+struct Data {                                // data/<name>.csv
+  std::string name;                          // "displacement"
+  std::vector<std::string> headings;         // "t [s]", "x [m]"
+  std::vector<std::vector<double>> columns;  // equally long; not finite: empty cell
 };
 
 struct Check {
-  std::string name;                            // "max(abs(actuator_force)) < 400 N"
-  std::string measured, limit;                 // "312.4 N", "400 N"
-  double value = 0, bound = 0;                 // SI
+  std::string name;             // "max(abs(actuator_force)) < 400 N"
+  std::string measured, limit;  // "312.4 N", "400 N"
+  double value = 0, bound = 0;  // SI
   std::string unit;
   bool passed = false;
-  std::string message;                         // a sentence when failed, "t = 1.32 s: ..."
-  int line = 0;                                // in the scenario
+  std::string message;  // a sentence when failed, "t = 1.32 s: ..."
+  int line = 0;         // in the scenario
 };
 
-struct Value {                                 // a scalar result for results.json
+struct Value {  // a scalar result for results.json
   std::string section, name, unit;
   double value = 0;
 };
 
-struct Provenance {                            // nothing of it may differ between two runs of the same thing
-  std::string program, version;                // "pmreport", "1.0.0"
+struct Provenance {              // nothing of it may differ between two runs of the same thing
+  std::string program, version;  // "pmreport", "1.0.0"
   std::string mechanism, plugin_build, scenario_name, scenario_sha256;
 };
 
@@ -88,24 +88,24 @@ struct Report {
   std::string title, author, description;
   std::string mechanism_title, source;
   std::string scenario_text;
-  std::vector<Paragraph> summary;              // what a hurried reader must know, worst first
+  std::vector<Paragraph> summary;  // what a hurried reader must know, worst first
   std::vector<Section> sections;
   std::vector<Data> data;
   std::vector<Check> checks;
   std::vector<Value> values;
   Provenance provenance;
-  bool passed() const;                         // every check and every line of evidence
+  bool passed() const;  // every check and every line of evidence
 };
 
-std::string to_html(const Report& r);          // one file, no network, no script needed; readable at phone width
-std::string to_pdf(const Report& r);           // A4: title, contents, sections, vector figures, page numbers, outline, links
-std::string to_csv(const Data& d);             // fields as in RFC 4180, lines end in LF; '.' decimal, shortest digits that read back the same
-std::string to_json(const Report& r);          // results.json
+std::string to_html(const Report& r);  // one file, no network, no script needed; readable at phone width
+std::string to_pdf(const Report& r);   // A4: title, contents, sections, vector figures, page numbers, outline, links
+std::string to_csv(const Data& d);     // fields as in RFC 4180, lines end in LF; '.' decimal, shortest digits that read back the same
+std::string to_json(const Report& r);  // results.json
 std::string to_junit(const Report& r);
 
-// Writes everything below `folder`: made whole beside it, then renamed, so that a report is the old one or the new one, never half. Replaces
-// an empty folder or an earlier report; a folder that holds anything else is refused. Throws OutputError, or Interrupted once `interrupted`,
-// asked between files by the calling thread, says so; the old report is untouched then and nothing temporary is left.
+// Writes everything below `folder`: made whole beside it, then renamed, so that a report is the old one or the new one, never half.
+// Replaces an empty folder or an earlier report; a folder that holds anything else is refused. Throws OutputError, or Interrupted once
+// `interrupted`, asked between files by the calling thread, says so; the old report is untouched then and nothing temporary is left.
 class OutputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
