@@ -244,7 +244,9 @@ int main(int argc, char** argv) {
   });
   if (std::fflush(stdout) != 0 && status == all_well) {
     tell("error: standard output could not be written\n");
+    program::worker_done();
     return output_failed;
   }
+  program::worker_done();
   return status;
 }

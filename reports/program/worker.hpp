@@ -14,4 +14,7 @@ inline constexpr int worker_crashed = 3, worker_limited = 5;
 // work.
 std::optional<int> run_in_worker(char** argv, double timeout);
 
+// Said by a worker at its regular end. A worker that ends without has been ended by the plugin: its exit status means nothing.
+void worker_done();
+
 }  // namespace pmreport::program

@@ -68,10 +68,11 @@ TEST_CASE("an interrupted writing leaves the earlier report and nothing beside i
   check_interrupted(SIGINT, 130, "writing", with(small, {{"samples = 21", "samples = 5001"}}));
 }
 
-TEST_CASE("an interrupted check ends as any program does") {
+TEST_CASE("an interrupted check ends at once") {
   Process process({PROGRAM, "check", "4sps-spr", "--poses", "1000000"});
   process.send(SIGINT);
-  CHECK(process.finish().status == -SIGINT);
+  const int status = process.finish().status;
+  CHECK((status == 130 || status == -SIGINT));  // the latter where the signal came before the program's first line
 }
 
 TEST_CASE("a report below a file cannot be written") {
