@@ -9,7 +9,7 @@ using namespace program_test;
 using Catch::Contains;
 using Catch::StartsWith;
 
-TEST_CASE("--check validates and writes nothing") {
+TEST_CASE("the option --check validates and writes nothing") {
   const Workshop here;
   const Result sound = here.report(small, {"--check"});
   CHECK(sound.status == 0);
@@ -27,7 +27,7 @@ TEST_CASE("a report that passes says so in one line") {
   CHECK(result.err.empty());
 }
 
-TEST_CASE("--quiet prints nothing when all is well") {
+TEST_CASE("the option --quiet prints nothing when all is well") {
   const Workshop here;
   const Result result = here.report(small, {"--quiet"}, {.terminal = true});
   CHECK(result.status == 0);

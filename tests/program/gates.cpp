@@ -85,7 +85,7 @@ TEST_CASE("a broken gate fails the run, with the sample, the column, the value a
   CHECK_THAT(bytes_of(here.report_folder() / "junit.xml"), Contains("file=\"scenario.toml\" line=\"28\""));
 }
 
-TEST_CASE("--quiet keeps the exit status of a broken gate") {
+TEST_CASE("the option --quiet keeps the exit status of a broken gate") {
   const Workshop here;
   const Result result = here.report(with(small, {{"400 N", "1 N"}}), {"--quiet"});
   CHECK(result.status == 1);
