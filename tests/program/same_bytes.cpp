@@ -31,7 +31,8 @@ TEST_CASE("the report depends neither on the run nor on locale, time zone, threa
   for (const char* file : {"report.html", "report.pdf", "results.json", "junit.xml", "data/displacement.csv", "figures/displacement.svg"})
     REQUIRE(first.contains(file));
 
-  SECTION("another locale, in which the decimal sign is a comma") {
+  {
+    INFO("another locale, in which the decimal sign is a comma");
     const std::string locales = (here / "locales").string();
     std::filesystem::create_directories(locales);
     const Result made = run({"localedef", "-i", "de_DE", "-f", "UTF-8", locales + "/de_DE.UTF-8"});
@@ -42,18 +43,21 @@ TEST_CASE("the report depends neither on the run nor on locale, time zone, threa
     REQUIRE(here.report(everything, {}, german).status == 0);
     check_same(first, contents(here.report_folder()));
   }
-  SECTION("another time zone, on a terminal") {
+  {
+    INFO("another time zone, on a terminal");
     REQUIRE(here.report(everything, {}, {.environment = {{"TZ", "Asia/Tokyo"}}, .terminal = true}).status == 0);
     check_same(first, contents(here.report_folder()));
   }
-  SECTION("one thread and two") {
+  {
+    INFO("one thread and two");
     for (const char* threads : {"1", "2"}) {
       CAPTURE(threads);
       REQUIRE(here.report(everything, {"--threads", threads}).status == 0);
       check_same(first, contents(here.report_folder()));
     }
   }
-  SECTION("another working directory and another place") {
+  {
+    INFO("another working directory and another place");
     const Workshop elsewhere;
     const std::string out = (elsewhere / "a/b/report").string();
     REQUIRE(pmreport({(here / "scenario.toml").string(), "--out", out}, {.folder = "/"}).status == 0);
