@@ -24,8 +24,8 @@ struct ForwardSolution {
   std::string why;          // a sentence when not converged
 };
 
-// Newton on l(q) = l*: J dq = l* - l(q), J = dl/dq from the exact partials of `place`. A placement with partials costs ten times a plain
-// one, so J^-1 is kept and improved by Broyden's rank-one update while the error falls fast, and taken anew from the partials when it does
+// Newton on l(q) = l*: J dq = l* - l(q), J = dl/dq from the exact partials of `place`. A placement with partials costs several plain
+// ones, so J^-1 is kept and improved by Broyden's rank-one update while the error falls fast, and taken anew from the partials when it does
 // not. A step is at most a tenth of the mechanism's size, or 0.3 rad, and halved while the pose it leads to cannot be assembled. The guess
 // tells the assembly mode: the solution must have det G of the same sign. Keeps its buffers: make one a thread and reuse it.
 class ForwardSolver {

@@ -106,10 +106,10 @@ std::optional<int> run_in_worker(char** argv, double timeout) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(timeout);
   bool late = false;
   while (true) {
-    const pid_t done = waitpid(pid, &status, timeout > 0 && !late ? WNOHANG : 0);
-    if (done == pid) break;
-    if (done < 0 && errno != EINTR) return worker_crashed;
-    if (done == 0) {
+    const pid_t ended = waitpid(pid, &status, timeout > 0 && !late ? WNOHANG : 0);
+    if (ended == pid) break;
+    if (ended < 0 && errno != EINTR) return worker_crashed;
+    if (ended == 0) {
       if (std::chrono::steady_clock::now() > end) {
         late = true;
         kill(pid, SIGKILL);
