@@ -55,7 +55,7 @@ std::vector<Column> columns_of(std::string_view section, const Topology& t) {
     add_actuators(out, t, "_acceleration", "s^2", "acceleration of ");
   } else if (section == "statics") {
     for (const Actuator& a : t.actuators)
-      out.push_back({a.name + "_force", a.unit == "m" ? "N" : "N*m", "actuator_force", "force of " + a.title});
+      out.push_back({a.name + "_force", a.unit == "m" ? "N" : "N*m", "actuator_force", "force of actuator " + a.name});
     for (const Constraint& c : t.constraints) out.push_back({c.name, c.unit, "constraint", c.title});
   }
   return out;
