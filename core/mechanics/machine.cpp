@@ -81,19 +81,56 @@ void check(const Topology& t, int dof) {
     demand(std::isfinite(a.stroke.min) && std::isfinite(a.stroke.max) && a.stroke.min < a.stroke.max,
            fmt::format("actuator {}: its stroke is not a finite range", a.name));
   }
+  const std::size_t width[] = {static_cast<std::size_t>(dof), static_cast<std::size_t>(dof), 6};
+  for (const SourceMatrix& m : t.matrices) {
+    const auto known = [](Rates r, int last) { return static_cast<int>(r) >= 0 && static_cast<int>(r) <= last; };
+    demand(known(m.acts_on, PM_TWIST) && known(m.gives, PM_NO_RATES), fmt::format("matrix {}: acts on, or gives, unknown rates", m.name));
+    demand(m.rows > 0 && static_cast<std::size_t>(m.columns) == width[static_cast<std::size_t>(m.acts_on)],
+           fmt::format("matrix {}: {} columns, but the rates it acts on are {}", m.name, m.columns,
+                       width[static_cast<std::size_t>(m.acts_on)]));
+    demand(m.gives == Rates::none || static_cast<std::size_t>(m.rows) == width[static_cast<std::size_t>(m.gives)],
+           fmt::format("matrix {}: {} rows, but the rates it gives are {}", m.name, m.rows, width[static_cast<std::size_t>(m.gives) % 3]));
+    for (const SourceMatrix& other : t.matrices)
+      demand(other.relation != m.relation || (other.gives == m.gives && other.rows == m.rows),
+             fmt::format("matrices {} and {} are of one relation, but do not give the same", m.name, other.name));
+  }
   for (const Shape& s : t.shapes)
     demand(s.body >= 0 && s.body < count(t.bodies), fmt::format("a shape belongs to body {}, which does not exist", s.body));
+}
+
+// Values that the plugin never sees because they break what it declared.
+void check(const std::vector<ParameterInfo>& parameters, const ParameterValues& values) {
+  const auto refuse = [](const std::string& sentence) { throw MechanismError(PM_BAD_ARGUMENT, sentence); };
+  if (values.size() != parameters.size())
+    refuse(fmt::format("expected values of {} parameters, seen {}", parameters.size(), values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const ParameterInfo& p = parameters[i];
+    if (values[i].size() < p.count_min || values[i].size() > p.count_max)
+      refuse(fmt::format("{}: expected {} to {} numbers, seen {}", p.name, p.count_min, p.count_max, values[i].size()));
+    const bool choice = p.kind == PM_CHOICE;
+    const double low = choice ? 0 : p.min, high = choice ? static_cast<double>(p.choices.size()) - 1 : p.max;
+    for (const double x : values[i])
+      if (!(x >= low && x <= high) || (choice && x != std::floor(x)))
+        refuse(fmt::format("{}: expected a value from {} to {}, seen {}", p.name, low, high, x));
+  }
+}
+
+// Older plugins end before this member.
+const pm_closed_forms* closed_forms_of(const pm_mechanism& table) {
+  return table.struct_size >= offsetof(pm_mechanism, closed_forms) + sizeof(table.closed_forms) ? table.closed_forms : nullptr;
 }
 
 Topology read_topology(const pm_mechanism& table, const pm_instance* instance) {
   std::string why;
   pm_topology c{};
-  pm_list constraints{}, inertias{}, shapes{};
+  pm_list constraints{}, inertias{}, shapes{}, matrices{};
   const auto ask = [&](const char* what, auto function, auto* out) {
     const pm_status status = call(why, [&](pm_text* text) { return function(instance, out, text); });
     if (status != PM_OK) throw MechanismError(PM_FAILED, fmt::format("cannot tell its {}: {}", what, why));
   };
   ask("topology", table.kinematics->topology, &c);
+  const pm_closed_forms* forms = closed_forms_of(table);
+  if (forms != nullptr) ask("matrices", forms->matrices, &matrices);
   ask("constraint wrenches", table.statics->constraints, &constraints);
   ask("inertias", table.dynamics->inertias, &inertias);
   if (table.appearance != nullptr) ask("shapes", table.appearance->shapes, &shapes);
@@ -129,6 +166,15 @@ Topology read_topology(const pm_mechanism& table, const pm_instance* instance) {
   t.shapes = map<pm_shape>(shapes, [](const pm_shape& x) {
     return Shape{x.body, static_cast<ShapeKind>(x.kind), Eigen::Vector3d(x.a), Eigen::Vector3d(x.b), x.radius};
   });
+  t.matrices = map<pm_matrix>(matrices, [](const pm_matrix& x) {
+    return SourceMatrix{text_or_empty(x.name),
+                        text_or_empty(x.title),
+                        static_cast<int>(x.rows),
+                        static_cast<int>(x.columns),
+                        static_cast<Rates>(x.acts_on),
+                        static_cast<Rates>(x.gives),
+                        x.relation};
+  });
   return t;
 }
 
@@ -147,8 +193,10 @@ MechanismInfo describe(const pm_mechanism& table) {
                     p.max,
                     p.count_min,
                     p.count_max,
-                    {}};
+                    {},
+                    false};
     for (std::size_t k = 0; k < p.choice_count; ++k) i.choices.push_back(p.choices[k]);
+    i.working_mode = p.kind == PM_CHOICE && p.working_mode != 0;
     return i;
   });
   return info;
@@ -161,6 +209,7 @@ ParameterValues default_values(const MechanismInfo& info) {
 }
 
 Machine::Machine(const pm_mechanism& table, ParameterValues values) : table_(&table), info_(describe(table)), values_(std::move(values)) {
+  check(info_.parameters, values_);
   std::vector<pm_value> spans;
   for (const auto& v : values_) spans.push_back({v.data(), v.size()});
   std::string why;
@@ -240,6 +289,22 @@ std::size_t Machine::components(pm_order order) const {
 pm_status Machine::place(pm_order order, std::size_t count, const double* coordinates, double* placement, std::string* why) const {
   if (why == nullptr) return table_->kinematics->place(instance_, order, count, coordinates, placement, nullptr);
   return call(*why, [&](pm_text* text) { return table_->kinematics->place(instance_, order, count, coordinates, placement, text); });
+}
+
+std::vector<Eigen::MatrixXd> Machine::matrices(std::span<const double> coordinates, const Pose& pose) const {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  std::size_t size = 0;
+  for (const SourceMatrix& m : topology_.matrices) size += static_cast<std::size_t>(m.rows * m.columns);
+  std::vector<double> numbers(size);
+  const pm_closed_forms* forms = closed_forms_of(*table_);
+  if (size == 0 || forms->evaluate(instance_, coordinates.data(), pose.numbers.data(), numbers.data(), nullptr) != PM_OK) return {};
+  std::vector<Eigen::MatrixXd> out;
+  const double* at = numbers.data();
+  for (const SourceMatrix& m : topology_.matrices) {
+    out.emplace_back(Eigen::Map<const RowMajor>(at, m.rows, m.columns));
+    at += m.rows * m.columns;
+  }
+  return out;
 }
 
 pm_status Machine::jacobian(pm_order order, std::size_t count, const double* placement, double* jacobian, std::string* why) const {

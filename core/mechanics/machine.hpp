@@ -28,6 +28,7 @@ struct ParameterInfo {
   double min, max;                         // of every number, inclusive
   std::size_t count_min, count_max;
   std::vector<std::string> choices;
+  bool working_mode = false;  // chooses among the solutions of inverse displacement
 };
 
 // What can be known of a mechanism before it is made.
@@ -73,8 +74,13 @@ class Machine {
 
   // The contract's own functions, for arrays of the caller's. `place` with more than one pose reports each one's reach in the placement.
   pm_status place(pm_order order, std::size_t count, const double* coordinates, double* placement, std::string* why = nullptr) const;
+  // The matrices of the source, in the order of topology().matrices; none where the plugin brings none, or gives none at this pose.
+  std::vector<Eigen::MatrixXd> matrices(std::span<const double> coordinates, const Pose& pose) const;
   pm_status jacobian(pm_order order, std::size_t count, const double* placement, double* jacobian, std::string* why = nullptr) const;
   std::size_t components(pm_order order) const;  // doubles per scalar
+
+  // The same mechanism with other values of its parameters. Throws as the constructor does.
+  std::unique_ptr<Machine> with(ParameterValues values) const { return std::make_unique<Machine>(*table_, std::move(values)); }
 
  private:
   const pm_mechanism* table_;

@@ -32,7 +32,7 @@ class Suite {
       properties_.push_back({claim, how, 0, tolerance, unit, ""});
       return properties_.back();
     };
-    properties_.reserve(20);
+    properties_.reserve(24);
     reach_ = &add("poses are in reach", "share of random poses in the box of the coordinates that cannot be assembled", 0.5, "");
     units_ = &add("axes and rotations are unit", "deviation of axes from unit length, of rotations from orthonormal", rounding, "");
     gap_ = &add("joints close", "joint centres carried from home by both bodies", rounding * length_, "m");
@@ -45,6 +45,7 @@ class Suite {
     jacobian_rate_ = &add("jacobian gives the actuator accelerations", "G times twist rate plus G' times twist against jets", rounding, "");
     rates_ = &add("rates are exact", "jets against differences in extended precision", 1e-12, "");
     accelerations_ = &add("accelerations are exact", "jets against second differences in extended precision", 1e-10, "");
+    matrices_ = &add("matrices of the source hold", "relations that the source states, with rates by jets", rounding, "");
     partials_ = &add("partials are exact", "partials times coordinate rates against jets", rounding, "");
     lanes_ = &add("lanes equal doubles", "poses many at once against one at a time, all scalar types", 1e-11, "");
     extended_ = &add("extended precision agrees", "extended against double precision", 1e-12, "");
@@ -165,10 +166,41 @@ class Suite {
       note(*rates_, d.rate, at(""));
       note(*accelerations_, d.acceleration, at(""));
     }
+    matrices();
     partials();
     if (c.condition < 1e6) {  // next to a singular pose neither has an answer to compare
       round_trip(c.condition);
       statics(model, c, platform.twist());
+    }
+  }
+
+  // The matrices of one relation, each times its rates, less the rates that they give.
+  void matrices() {
+    const std::vector<SourceMatrix>& declared = machine_.topology().matrices;
+    if (declared.empty()) return;
+    const auto rates = [](const std::vector<Scalar>& of) {
+      VectorXd v(static_cast<Eigen::Index>(of.size()));
+      for (std::size_t i = 0; i < of.size(); ++i) v(static_cast<Eigen::Index>(i)) = of[i].rate;
+      return v;
+    };
+    const VectorXd all[] = {rates(state_.coordinates), rates(state_.actuators),
+                            state_.bodies[static_cast<std::size_t>(machine_.topology().platform)].twist()};
+    VectorXd q(machine_.dof());
+    for (int i = 0; i < machine_.dof(); ++i) q(i) = state_.coordinates[static_cast<std::size_t>(i)].value;
+    const std::span<const double> at_q{q.data(), static_cast<std::size_t>(q.size())};
+    const std::vector<Eigen::MatrixXd> given = machine_.matrices(at_q, machine_.pose(at_q));
+    if (given.size() != declared.size()) return note(*matrices_, std::numeric_limits<double>::infinity(), at("the plugin gives none"));
+    for (std::size_t i = 0; i < declared.size(); ++i) {
+      VectorXd sum = VectorXd::Zero(declared[i].rows);
+      double scale = 1e-6;
+      const auto add = [&](const VectorXd& term) {
+        sum += term;
+        scale = std::max(scale, term.lpNorm<Eigen::Infinity>());
+      };
+      for (std::size_t k = 0; k < declared.size(); ++k)
+        if (declared[k].relation == declared[i].relation) add(given[k] * all[static_cast<std::size_t>(declared[k].acts_on)]);
+      if (declared[i].gives != Rates::none) add(-all[static_cast<std::size_t>(declared[i].gives)]);
+      note(*matrices_, sum.lpNorm<Eigen::Infinity>() / scale, at("matrix " + declared[i].name));
     }
   }
 
@@ -303,7 +335,7 @@ class Suite {
   int statics_count_ = 0;
   std::vector<Property> properties_;
   Property *reach_, *units_, *gap_, *turn_, *velocity_, *acceleration_, *drives_, *mobility_, *jacobian_, *jacobian_rate_, *rates_,
-      *accelerations_, *partials_, *lanes_, *extended_, *round_trip_, *statics_, *power_, *limits_;
+      *accelerations_, *matrices_, *partials_, *lanes_, *extended_, *round_trip_, *statics_, *power_, *limits_;
 };
 
 }  // namespace

@@ -8,6 +8,8 @@
 //     pmreport::Topology topology() const;                                     // what is connected to what
 //     template <class T> void place(const Coordinates<T>&, pmreport::Placement<T>&) const;           // where everything is
 //     template <class T> pmreport::Matrix6<T> jacobian(const pmreport::Placement<T>&) const;         // what carries the load
+//     std::vector<Eigen::MatrixXd> matrices(const Coordinates<double>&, const Placement<double>&) const;   // optional: what the source
+//     states
 //   };
 //   PMREPORT_PLUGIN(MyMechanism)                                               // or several: PMREPORT_PLUGIN(One, Another)
 //
@@ -24,6 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstdio>
 #include <exception>
 #include <numbers>
@@ -82,6 +85,7 @@ struct Instance {
   std::vector<pm_constraint> constraints;
   std::vector<pm_inertia> inertias;
   std::vector<pm_shape> shapes;
+  std::vector<pm_matrix> matrices;
 
   explicit Instance(const Parameters& p) : mechanism(p), topology(mechanism.topology()), layout(topology) {
     const Topology& t = topology;
@@ -115,6 +119,9 @@ struct Instance {
       for (int k = 0; k < 3; ++k) o.a[k] = s.a(k), o.b[k] = s.b(k);
       shapes.push_back(o);
     }
+    for (const auto& m : t.matrices)
+      matrices.push_back({m.name.c_str(), m.title.c_str(), static_cast<std::size_t>(m.rows), static_cast<std::size_t>(m.columns),
+                          m.relation, static_cast<pm_rates>(m.acts_on), static_cast<pm_rates>(m.gives)});
   }
 };
 
@@ -220,6 +227,31 @@ struct Functions {
   }
 };
 
+// Mechanisms whose author brings matrices of the source.
+template <class M>
+concept HasMatrices = requires(const M& m, const typename M::template Coordinates<double>& q, const Placement<double>& at) {
+  { m.matrices(q, at) } -> std::same_as<std::vector<Eigen::MatrixXd>>;
+};
+
+template <HasMatrices M>
+pm_status evaluate_matrices(const pm_instance* p, const double* coordinates, const double* placement, double* out, pm_text* text) noexcept {
+  return guard(text, [&] {
+    const Instance<M>& s = Functions<M>::self(p);
+    typename M::template Coordinates<double> q;
+    std::copy_n(coordinates, q.size(), q.begin());
+    const std::vector<Eigen::MatrixXd> all = s.mechanism.matrices(q, Placement<double>(placement, 1, s.layout));
+    if (all.size() != s.matrices.size()) throw std::logic_error("the number of matrices differs from what the topology declares");
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto rows = static_cast<Eigen::Index>(s.matrices[i].rows), columns = static_cast<Eigen::Index>(s.matrices[i].columns);
+      if (all[i].rows() != rows || all[i].cols() != columns)
+        throw std::logic_error("matrix " + s.topology.matrices[i].name + " has another size than the topology declares");
+      for (Eigen::Index r = 0; r < rows; ++r)
+        for (Eigen::Index c = 0; c < columns; ++c) *out++ = all[i](r, c);
+    }
+    return PM_OK;
+  });
+}
+
 template <class M>
 inline constexpr auto parameter_infos = [] {
   std::array<pm_parameter, std::size(M::parameters)> out{};
@@ -237,6 +269,17 @@ template <class M>
 inline constexpr pm_appearance appearance{sizeof(pm_appearance), Functions<M>::template listing<&Instance<M>::shapes>};
 
 template <class M>
+struct ClosedForms {
+  static constexpr const pm_closed_forms* table() { return nullptr; }
+};
+template <HasMatrices M>
+struct ClosedForms<M> {
+  static constexpr pm_closed_forms forms{sizeof(pm_closed_forms), Functions<M>::template listing<&Instance<M>::matrices>,
+                                         evaluate_matrices<M>};
+  static constexpr const pm_closed_forms* table() { return &forms; }
+};
+
+template <class M>
 inline constexpr pm_mechanism mechanism{sizeof(pm_mechanism),
                                         M::name,
                                         M::title,
@@ -248,7 +291,8 @@ inline constexpr pm_mechanism mechanism{sizeof(pm_mechanism),
                                         &kinematics<M>,
                                         &statics<M>,
                                         &dynamics<M>,
-                                        &appearance<M>};
+                                        &appearance<M>,
+                                        ClosedForms<M>::table()};
 
 template <class... M>
 inline constexpr std::array<const pm_mechanism*, sizeof...(M)> mechanisms{&mechanism<M>...};

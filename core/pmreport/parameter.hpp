@@ -24,6 +24,7 @@ struct Parameter {
   double min, max;
   std::size_t count_min, count_max;
   std::span<const char* const> choices;
+  bool chooses_working_mode = false;
 
   // One number. `unit` is SI, `display` the unit that a reader expects; default and range are SI, the range inclusive.
   static constexpr Parameter number(const char* name, double value, Range range, const char* unit, const char* display, const char* title) {
@@ -51,6 +52,12 @@ struct Parameter {
   static constexpr Parameter choice(const char* name, std::span<const char* const> words, std::size_t index, const char* title) {
     return {name, title, "", "", PM_CHOICE, static_cast<double>(index), {}, 0, static_cast<double>(words.size() - 1), 1, 1, words};
   }
+  // Such a choice among the solutions of inverse displacement: elbow in or out, slider above or below.
+  static constexpr Parameter working_mode(const char* name, std::span<const char* const> words, std::size_t index, const char* title) {
+    Parameter p = choice(name, words, index, title);
+    p.chooses_working_mode = true;
+    return p;
+  }
 };
 
 constexpr pm_parameter info(const Parameter& p) {
@@ -67,7 +74,8 @@ constexpr pm_parameter info(const Parameter& p) {
           p.count_min,
           p.count_max,
           p.choices.data(),
-          p.choices.size()};
+          p.choices.size(),
+          p.chooses_working_mode ? 1 : 0};
 }
 
 // A sentence for the user from words and numbers, six digits each, whatever the locale.

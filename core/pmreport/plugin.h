@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 #define PM_ABI_MAJOR 1u
-#define PM_ABI_MINOR 0u
+#define PM_ABI_MINOR 1u
 
 /* ---- Vocabulary ------------------------------------------------------------------------------------------------------------------- */
 
@@ -73,6 +73,8 @@ typedef struct pm_parameter {
   size_t count_min, count_max;
   const char* const* choices;
   size_t choice_count;
+  int32_t working_mode; /* since 1.1. 1: a choice among the solutions of inverse displacement (elbow in or out, slider above or below).
+                           Assembly modes are looked for with every word of it. */
 } pm_parameter;
 
 typedef struct pm_value { /* the value of one parameter; the host passes all of them, in the order of the list, defaults filled in */
@@ -197,6 +199,35 @@ typedef struct pm_dynamics {
   pm_status (*inertias)(const pm_instance*, pm_list* out, pm_text* message);
 } pm_dynamics;
 
+/* ---- CLOSED FORMS: what the source itself writes (since 1.1, optional) --------------------------------------------------------------- */
+
+typedef int32_t pm_rates;
+enum {
+  PM_COORDINATE_RATES = 0, /* of the independent coordinates, dof of them */
+  PM_ACTUATOR_RATES = 1,   /* dof of them */
+  PM_TWIST = 2,            /* of the platform, 6 */
+  PM_NO_RATES = 3
+};
+
+/* A matrix that the source states, such as the A and B of A x' + B q' = 0, or a Jacobian in its own coordinates. The matrices of one
+   `relation`, each times the rates that it acts on, sum to the rates that they give. The host shows the matrices and judges the relation by
+   the rates it has from `place`. */
+typedef struct pm_matrix {
+  const char* name;  /* "A" */
+  const char* title; /* "constraint equations by the pose" */
+  size_t rows, columns;
+  int32_t relation; /* any number; equal for the matrices of one relation */
+  pm_rates acts_on; /* its columns */
+  pm_rates gives;   /* PM_ACTUATOR_RATES, PM_TWIST, PM_COORDINATE_RATES, or PM_NO_RATES: they sum to zero. Equal within a relation */
+} pm_matrix;
+
+typedef struct pm_closed_forms {
+  size_t struct_size;
+  pm_status (*matrices)(const pm_instance*, pm_list* out, pm_text* message); /* pm_matrix */
+  /* Fills the matrices one after the other, each row-major, at one pose: its coordinates, and its placement of order PM_VALUE. */
+  pm_status (*evaluate)(const pm_instance*, const double* coordinates, const double* placement, double* out, pm_text* message);
+} pm_closed_forms;
+
 /* ---- How it looks ----------------------------------------------------------------------------------------------------------------- */
 
 typedef int32_t pm_shape_kind;
@@ -233,7 +264,8 @@ typedef struct pm_mechanism {
   const pm_kinematics* kinematics;
   const pm_statics* statics;
   const pm_dynamics* dynamics;
-  const pm_appearance* appearance; /* may be NULL */
+  const pm_appearance* appearance;     /* may be NULL */
+  const pm_closed_forms* closed_forms; /* may be NULL; since 1.1 */
 } pm_mechanism;
 
 typedef struct pm_plugin_table {

@@ -89,6 +89,16 @@ struct Constraint {               // constraint wrench of the limbs on the platf
   std::string name, title, unit;  // "N" or "N*m"
 };
 
+enum class Rates { coordinates = PM_COORDINATE_RATES, actuators = PM_ACTUATOR_RATES, twist = PM_TWIST, none = PM_NO_RATES };
+
+// A matrix that the source states. Matrices of one relation, each times the rates that it acts on, sum to what they give.
+struct SourceMatrix {
+  std::string name, title;
+  int rows = 0, columns = 0;
+  Rates acts_on = Rates::coordinates, gives = Rates::none;
+  int relation = 0;
+};
+
 struct Shape {
   int body = 0;
   ShapeKind kind = ShapeKind::cylinder;
@@ -104,6 +114,7 @@ struct Topology {
   std::vector<Derived> derived;
   std::vector<Constraint> constraints;
   std::vector<Shape> shapes;
+  std::vector<SourceMatrix> matrices;  // what the mechanism's `matrices` fills in, in this order
   int platform = 0;
   int idle = 0;  // idle freedoms: spins of legs that move nothing else
 

@@ -4,12 +4,10 @@
 #include <core/mechanics/closure.hpp>
 #include <core/mechanics/generic_model.hpp>
 #include <tests/plugins/four_sps_spr.hpp>
+#include <tests/plugins/reference.hpp>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <catch2/catch.hpp>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 using namespace pmreport;
 using namespace pmreport::mechanics;
@@ -17,35 +15,11 @@ using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using nlohmann::json;
+using test::check_equal, test::number, test::vector, test::vector3, test::tolerance;
 
 namespace {
 
-constexpr double tolerance = 1e-9;  // promised; what double precision gives is some 1e-13
 constexpr double deg = std::numbers::pi / 180;
-
-double number(const json& j) { return j.is_string() ? json::parse(j.get<std::string>()).get<double>() : j.get<double>(); }
-VectorXd vector(const json& j) {
-  VectorXd v(static_cast<Eigen::Index>(j.size()));
-  for (std::size_t i = 0; i < j.size(); ++i) v(static_cast<Eigen::Index>(i)) = number(j[i]);
-  return v;
-}
-Vector3d vector3(const json& j) { return vector(j); }
-
-json reference() {
-  std::ifstream file(TEST_DATA "/4sps-spr.json");
-  REQUIRE(file);
-  return json::parse(file);
-}
-
-// Every number of `seen` equals that of `expected`, relative to the larger of the number itself and of the vector's `scale`; 0: its
-// largest number, which is what an error is to be compared with when a component passes through zero.
-void check_equal(const char* what, const VectorXd& seen, const VectorXd& expected, double scale = 0) {
-  CAPTURE(what, seen.transpose(), expected.transpose());
-  REQUIRE(seen.size() == expected.size());
-  if (scale == 0) scale = expected.lpNorm<Eigen::Infinity>();
-  for (Eigen::Index i = 0; i < seen.size(); ++i)
-    CHECK(std::abs(seen(i) - expected(i)) <= tolerance * std::max(std::abs(expected(i)), scale));
-}
 
 // Angle rates and accelerations from the platform's angular velocity and acceleration. The three axes of Rz(alpha) Ry(beta) Rx(gamma) are
 // Z, Y1 (turned by alpha) and X2 (turned by alpha and beta): w = Z alpha' + Y1 beta' + X2 gamma'. The turning axes have the rates
@@ -102,7 +76,7 @@ State state_of(const Machine& machine, const json& in) {
 }  // namespace
 
 TEST_CASE("every reference case of the 4SPS-SPR comes out to nine digits") {
-  const json file = reference();
+  const json file = test::reference("4sps-spr.json");
   REQUIRE(file["cases"].size() == 6);
   for (const json& c : file["cases"]) {
     const std::string name = c["name"];
@@ -152,7 +126,7 @@ TEST_CASE("every reference case of the 4SPS-SPR comes out to nine digits") {
 }
 
 TEST_CASE("joint angles of the reference cases come out to nine digits") {
-  const json file = reference();
+  const json file = test::reference("4sps-spr.json");
   for (const json& c : file["cases"]) {
     const Machine machine(test::four_sps_spr(), parameters_of(c, file["meta"]));
     const State s = state_of(machine, c["input"]);
