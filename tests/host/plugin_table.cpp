@@ -15,6 +15,7 @@ pm_status create(const pm_value*, std::size_t, pm_instance**, pm_text*) { return
 void destroy(pm_instance*) {}
 pm_status topology(const pm_instance*, pm_topology*, pm_text*) { return PM_FAILED; }
 pm_status numbers(const pm_instance*, pm_order, std::size_t, const double*, double*, pm_text*) { return PM_FAILED; }
+pm_status matrices(const pm_instance*, const double*, const double*, double*, pm_text*) { return PM_FAILED; }
 pm_status listing(const pm_instance*, pm_list*, pm_text*) { return PM_FAILED; }
 
 // A sound table with one parameter of each kind, of which a test spoils one part.
@@ -24,14 +25,15 @@ struct Table {
   std::array<double, 1> word{1};
   std::array<const char*, 2> words{"x", "y"};
   std::array<pm_parameter, 3> parameters{{
-      {"base_radius", "radius", "m", "mm", PM_NUMBER, radius.data(), 1, 0.01, 100, 1, 1, nullptr, 0},
-      {"axis", "axis", "", "", PM_NUMBERS, axis.data(), 3, -1, 1, 3, 6, nullptr, 0},
-      {"dependent", "which", "", "", PM_CHOICE, word.data(), 1, 0, 1, 1, 1, words.data(), 2},
+      {"base_radius", "radius", "m", "mm", PM_NUMBER, radius.data(), 1, 0.01, 100, 1, 1, nullptr, 0, 0},
+      {"axis", "axis", "", "", PM_NUMBERS, axis.data(), 3, -1, 1, 3, 6, nullptr, 0, 0},
+      {"dependent", "which", "", "", PM_CHOICE, word.data(), 1, 0, 1, 1, 1, words.data(), 2, 0},
   }};
   pm_kinematics kinematics{sizeof(pm_kinematics), topology, numbers};
   pm_statics statics{sizeof(pm_statics), listing, numbers};
   pm_dynamics dynamics{sizeof(pm_dynamics), listing};
   pm_appearance appearance{sizeof(pm_appearance), listing};
+  pm_closed_forms closed_forms{sizeof(pm_closed_forms), listing, matrices};
   pm_mechanism mechanism{sizeof(pm_mechanism),
                          "4sps-spr",
                          "title",
@@ -43,7 +45,8 @@ struct Table {
                          &kinematics,
                          &statics,
                          &dynamics,
-                         &appearance};
+                         &appearance,
+                         &closed_forms};
   pm_mechanism second = mechanism;
   std::array<const pm_mechanism*, 2> mechanisms{&mechanism, &second};
   pm_plugin_table table{sizeof(pm_plugin_table), PM_ABI_MAJOR, PM_ABI_MINOR, "test", 1, mechanisms.data()};
@@ -74,7 +77,15 @@ TEST_CASE("a table without a fault is sound, with or without what is optional") 
   Table t;
   CHECK(judgement(t) == "sound");
   t.mechanism.appearance = nullptr;
+  t.mechanism.closed_forms = nullptr;
   t.mechanism.parameters = {nullptr, 0, 0};
+  CHECK(judgement(t) == "sound");
+}
+
+TEST_CASE("a mechanism of version 1.0, which ends before the closed forms, is sound, and what follows it is not read") {
+  Table t;
+  t.mechanism.struct_size = offsetof(pm_mechanism, closed_forms);
+  t.mechanism.closed_forms = reinterpret_cast<const pm_closed_forms*>(1);  // would crash whoever looks
   CHECK(judgement(t) == "sound");
 }
 
@@ -108,7 +119,7 @@ TEST_CASE("one fault makes a table unsound, and the sentence names it") {
       {"a table of mechanisms, seen a null pointer", [](Table& t) { t.table.mechanisms = nullptr; }},
       {"mechanism 1: expected a table, seen a null pointer", [](Table& t) { t.mechanisms[0] = nullptr; }},
       {"mechanisms of different names, seen '4sps-spr' twice", [](Table& t) { t.table.mechanism_count = 2; }},
-      {"mechanism 1: expected a table of at least", [](Table& t) { t.mechanism.struct_size -= 1; }},
+      {"mechanism 1: expected a table of at least", [](Table& t) { t.mechanism.struct_size = offsetof(pm_mechanism, closed_forms) - 1; }},
       {"a name of lower-case letters, digits and dashes, seen nothing", [](Table& t) { t.mechanism.name = nullptr; }},
       {"a name of lower-case letters, digits and dashes, seen ''", [](Table& t) { t.mechanism.name = ""; }},
       {"seen '4SPS'", [](Table& t) { t.mechanism.name = "4SPS"; }},
@@ -132,9 +143,13 @@ TEST_CASE("one fault makes a table unsound, and the sentence names it") {
       {"the table dynamics of at least", [](Table& t) { t.dynamics.struct_size -= 1; }},
       {"the function dynamics.inertias", [](Table& t) { t.dynamics.inertias = nullptr; }},
       {"the table appearance of at least", [](Table& t) { t.appearance.struct_size -= 1; }},
+      {"the table closed_forms of at least", [](Table& t) { t.closed_forms.struct_size -= 1; }},
+      {"the function closed_forms.matrices", [](Table& t) { t.closed_forms.matrices = nullptr; }},
+      {"the function closed_forms.evaluate", [](Table& t) { t.closed_forms.evaluate = nullptr; }},
       {"the function appearance.shapes", [](Table& t) { t.appearance.shapes = nullptr; }},
       {"a list of parameters, seen a null pointer", [](Table& t) { t.mechanism.parameters.items = nullptr; }},
-      {"a stride of the parameters of at least", [](Table& t) { t.mechanism.parameters.stride -= 1; }},
+      {"a stride of the parameters of at least",
+       [](Table& t) { t.mechanism.parameters.stride = offsetof(pm_parameter, working_mode) - 8; }},
       {"digits and underscores for parameter 2, seen nothing", [](Table& t) { t.list().name = nullptr; }},
       {"digits and underscores for parameter 2, seen 'base-radius'", [](Table& t) { t.list().name = "base-radius"; }},
       {"parameters of different names, seen 'base_radius' twice", [](Table& t) { t.list().name = "base_radius"; }},
