@@ -40,6 +40,18 @@ Matrix3<T> rotation_zyx(const T& a, const T& b, const T& c) {
   return r;
 }
 
+// R = Rz(a) Rx(b) Ry(c), likewise.
+template <class T>
+Matrix3<T> rotation_zxy(const T& a, const T& b, const T& c) {
+  const T ca = cos(a), sa = sin(a), cb = cos(b), sb = sin(b), cc = cos(c), sc = sin(c);
+  const T sa_sb = sa * sb, ca_sb = ca * sb;
+  Matrix3<T> r;
+  r << ca * cc - sa_sb * sc, -sa * cb, ca * sc + sa_sb * cc,  //
+      sa * cc + ca_sb * sc, ca * cb, sa * sc - ca_sb * cc,    //
+      -cb * sc, sb, cb * cc;
+  return r;
+}
+
 // Frame whose x axis is `x` and whose z axis is `z`: two perpendicular unit vectors.
 template <class T>
 Matrix3<T> frame_xz(const Vector3<T>& x, const Vector3<T>& z) {

@@ -50,6 +50,10 @@ struct Inertia {
   static Inertia axisymmetric(double mass, double z, double transverse, double axial) {
     return {mass, {0, 0, z}, Eigen::Vector3d(transverse, transverse, axial).asDiagonal()};
   }
+  // A solid cylinder of uniform density along its z axis, its centre of mass at height `z`.
+  static Inertia solid_cylinder(double mass, double length, double radius, double z) {
+    return axisymmetric(mass, z, mass * (3 * radius * radius + length * length) / 12, mass * radius * radius / 2);
+  }
   // A body with its centre of mass at its origin; `i` is xx yy zz xy xz yz.
   static Inertia central(double mass, std::span<const double> i) {
     Inertia out{mass, Eigen::Vector3d::Zero(), {}};

@@ -86,7 +86,15 @@ Motion sampled(const std::vector<Curve>& curves, std::vector<double> time, Diagn
       out.value(i, j) = x.value, out.rate(i, j) = x.rate, out.acceleration(i, j) = x.acceleration;
     }
   }
+  out.asked = time.back();
   out.time = std::move(time);
+  out.at = [curves](double t, double* value, double* rate, double* acceleration) {
+    for (const Curve& curve : curves) {
+      const Jet<double> x = curve.at(t);
+      *value++ = x.value, *rate++ = x.rate, *acceleration++ = x.acceleration;
+    }
+    return true;
+  };
   return out;
 }
 

@@ -31,11 +31,22 @@ class ScenarioError : public std::runtime_error {
   std::vector<Diagnostic> diagnostics;  // in the order of the file, at least one
 };
 
-// The motion: independent coordinates against time, with exact first and second derivatives.
+// Independent coordinates at a time, with their rates and accelerations, each dof long, SI. False where there is no pose.
+using Path = std::function<bool(double t, double* value, double* rate, double* acceleration)>;
+
+// The motion: independent coordinates against time, with exact first and second derivatives. A scenario prescribes them, or it prescribes
+// the actuators and they follow by forward displacement from home.
 struct Motion {
   std::vector<double> time;                   // [s]
-  Eigen::MatrixXd value, rate, acceleration;  // one row a sample, one column an independent coordinate, SI
+  Eigen::MatrixXd value, rate, acceleration;  // one row a sample, one column an independent coordinate, SI; NaN: no pose
+  Path at;                                    // the same at any time from the first sample to the last
   std::string description;                    // one line a coordinate, for the report: "x = 20 mm * sin(2*pi*t/10 s)"
+  bool by_actuators = false;
+  bool until_singularity = false;  // the motion may end at a singular surface
+  double asked = 0;                // when it should have ended [s]
+  // Why it ends before: "meets a singular surface at t = 3.314 s: ...". Empty: it does not. With `until_singularity` the samples end there,
+  // else those beyond have no pose.
+  std::string ending;
 };
 
 struct Load {                                  // wrench on the platform at its reference point, base axes, at every sample
@@ -49,9 +60,38 @@ struct View {
   double azimuth, elevation;  // of the camera as seen from the platform [rad]; front looks along +Y
 };
 
+// One number of the report: a column, or a group of columns, reduced; or a quantity that a section names.
+struct Measured {
+  std::string that;       // as written: "max(abs(actuator_force))", "mobility.redundant"
+  std::string quantity;   // "mobility.redundant" (see quantities.hpp); empty: reduced columns
+  std::string reduction;  // "min", "max", "rms", "at"
+  bool absolute = false;
+  std::vector<std::string> columns;  // resolved column names: l1_force, ... (see columns.hpp)
+  double time = 0;                   // for "at": at(l1, 2.5 s)
+  std::string unit;                  // SI
+};
+
+// A map of det G over two coordinates.
+struct MapRequest {
+  int coordinate[2] = {0, 1};  // indices
+  double from[2] = {0, 0}, to[2] = {0, 0};
+  Eigen::VectorXd at;  // the other coordinates; home unless given
+  int points = 61;     // along each
+};
+
+// One line of a comparison with published values.
+struct ComparisonRow {
+  enum class Expected { nothing, reproduces, differs } expected = Expected::nothing;  // a gate, unless nothing
+  std::string what;
+  Measured here;
+  double published = 0, tolerance = 0;  // SI
+  std::string source, note;             // may be empty
+  int line = 0;
+};
+
 // The options of a section, by kind. A section has its kind's options only; the rest stays at its default.
 struct SectionRequest {
-  std::string kind;   // "mechanism", "snapshots", "displacement", "velocity", "acceleration", "statics"
+  std::string kind;   // "mechanism", "snapshots", "displacement", ... (see section.cpp)
   std::string title;  // empty: the kind's own
   int line = 0;
   // snapshots
@@ -60,17 +100,23 @@ struct SectionRequest {
   int width = 1600, height = 1200;  // [px]
   bool transparent = false;         // else white ground
   bool path = true, labels = true, frames = true, load = true;
+  // mobility
+  int random_poses = 100;
+  // singularity
+  std::optional<double> length;        // [m] makes moments comparable with forces; default: the characteristic length
+  std::vector<Eigen::VectorXd> poses;  // coordinates, besides those of the motion
+  std::optional<MapRequest> map;
+  // assembly: actuator values at a time of the motion, unless given
+  double time = 0;            // [s]
+  Eigen::VectorXd actuators;  // SI; empty: those at `time`
+  bool working_modes = true;  // with every word of the choices of working mode, else as the scenario sets them
+  // comparison
+  std::vector<ComparisonRow> rows;
 };
 
-// Gate over an output column or a group of columns: reduce(column) compared with bounds.
-struct Check {
-  std::string that;       // as written: "max(abs(actuator_force))"
-  std::string reduction;  // "min", "max", "rms", "at"
-  bool absolute = false;
-  std::vector<std::string> columns;    // resolved column names: l1_force, ... (see columns.hpp)
-  double time = 0;                     // for "at": at(l1, 2.5 s)
+// Gate over a number of the report.
+struct Check : Measured {
   std::optional<double> below, above;  // SI; passes when below and above hold strictly
-  std::string unit;                    // SI unit of the columns
   int line = 0;
 };
 

@@ -13,7 +13,8 @@ constexpr int smallest_picture = 64, largest_picture = 8000;  // [px]; drawn at 
 constexpr std::size_t most_times = 100, most_views = 20;
 
 const std::vector<std::string>& kinds() {
-  static const std::vector<std::string> all{"mechanism", "snapshots", "displacement", "velocity", "acceleration", "statics"};
+  static const std::vector<std::string> all{"mechanism", "snapshots",   "displacement", "velocity",   "acceleration",  "statics",
+                                            "mobility",  "singularity", "assembly",     "comparison", "classification"};
   return all;
 }
 

@@ -68,11 +68,21 @@ struct Quality {
   int supersample = 2;       // and 4x multisampling
 };
 
+// A screw: its axis through a point, as a long line, with an arrow along it (pitch infinite: a translation or a couple), around it (pitch
+// zero: a rotation or a force) or both.
+struct Screw {
+  Eigen::Vector3d point{0, 0, 0}, direction{0, 0, 1};  // [m], unit
+  double pitch = 0;                                    // [m]; infinite: along only
+  std::string label;
+  Color color;
+};
+
 // What else is drawn at a snapshot.
 struct Extras {
   std::vector<Eigen::Vector3d> path;                // of the platform's reference point over the motion
   Eigen::Vector3d force{0, 0, 0}, moment{0, 0, 0};  // applied to the platform, drawn as an arrow, a curved arrow
   bool labels = true, frames = true;
+  std::vector<Screw> screws;
 };
 
 // The scene of one pose: base, platform, bodies by their shapes or joints, joints by kind (ball, hinge with its axis, cross), labels by

@@ -21,7 +21,7 @@ struct Found {
 };
 
 // One column reduced to one number; NaN when it has no value to reduce.
-Found reduce(const Analysis& a, const scenario::Check& c, const std::vector<double>& column) {
+Found reduce(const Analysis& a, const scenario::Measured& c, const std::vector<double>& column) {
   const auto value = [&](int k) {
     const double x = column[static_cast<std::size_t>(k)];
     return c.absolute ? std::abs(x) : x;
@@ -49,22 +49,14 @@ Found reduce(const Analysis& a, const scenario::Check& c, const std::vector<doub
   return f;
 }
 
-document::Check evaluate(const Analysis& a, const scenario::Check& c) {
+document::Check evaluate(const Analysis& a, const scenario::Check& c, const std::vector<document::Value>& values) {
   document::Check out;
   out.line = c.line;
   out.unit = c.unit;
-  // Of a group the column counts that comes nearest to breaking the bound.
-  Found low, high;
-  std::string low_name, high_name;
-  bool complete = true;
-  for (const std::string& name : c.columns) {
-    const Found f = reduce(a, c, a.column(name));
-    complete = complete && std::isfinite(f.value);
-    if (!(f.value <= high.value)) high = f, high_name = name;
-    if (!(f.value >= low.value)) low = f, low_name = name;
-  }
-  const auto judge = [&](const Found& f, const std::string& column, double bound, bool below) {
-    const bool passed = complete && (below ? f.value < bound : f.value > bound);
+  out.passed = true;
+  const auto judge = [&](double bound, bool below) {
+    const Number f = measure(a, c, values, below);
+    const bool complete = std::isfinite(f.value), passed = complete && (below ? f.value < bound : f.value > bound);
     out.passed = out.passed && passed;
     if (!out.limit.empty()) out.limit += ", ";
     out.limit += (below ? "< " : "> ") + show(bound, c.unit, 6);
@@ -75,14 +67,15 @@ document::Check evaluate(const Analysis& a, const scenario::Check& c) {
     }
     if (passed) return;
     if (!complete)
-      out.message = "a column has no value to judge: no sample of it could be computed";
+      out.message = c.quantity.empty() ? "a column has no value to judge: no sample of it could be computed"
+                                       : c.that + " has no value: its section could not compute it";
     else
-      out.message = fmt::format("{}{}: {} is {}, which is not {} {}", f.sample >= 0 ? "t = " + show_time(a, f.sample) + ": " : "", c.that,
-                                column, show(f.value, c.unit, 6), below ? "below" : "above", show(bound, c.unit, 6));
+      out.message =
+          fmt::format("{}{}: {} is {}, which is not {} {}", f.sample >= 0 ? "t = " + show_time(a, f.sample) + ": " : "", c.that,
+                      c.quantity.empty() ? f.column : "it", show(f.value, c.unit, 6), below ? "below" : "above", show(bound, c.unit, 6));
   };
-  out.passed = true;
-  if (c.below) judge(high, high_name, *c.below, true);
-  if (c.above) judge(low, low_name, *c.above, false);
+  if (c.below) judge(*c.below, true);
+  if (c.above) judge(*c.above, false);
   out.name = c.that + " " + out.limit;
   return out;
 }
@@ -101,9 +94,25 @@ document::Check demand(const std::string& name, int broken, const std::string& m
 
 }  // namespace
 
-std::vector<document::Check> evaluate_checks(const Analysis& a) {
+// Of a group the column counts that comes nearest to breaking a bound: the largest of an upper one.
+Number measure(const Analysis& a, const scenario::Measured& m, const std::vector<document::Value>& values, bool largest) {
+  if (!m.quantity.empty()) {
+    for (const document::Value& v : values)
+      if (v.section + "." + v.name == m.quantity) return {v.value, -1, ""};
+    return {};
+  }
+  Number out;
+  for (const std::string& name : m.columns) {
+    const Found f = reduce(a, m, a.column(name));
+    if (!std::isfinite(f.value)) return {};
+    if (out.column.empty() || (largest ? f.value > out.value : f.value < out.value)) out = {f.value, f.sample, name};
+  }
+  return out;
+}
+
+std::vector<document::Check> evaluate_checks(const Analysis& a, const std::vector<document::Value>& values) {
   std::vector<document::Check> out;
-  for (const scenario::Check& c : a.scenario().checks) out.push_back(evaluate(a, c));
+  for (const scenario::Check& c : a.scenario().checks) out.push_back(evaluate(a, c, values));
 
   int broken = 0;
   for (const Interval& i : a.broken()) broken += i.last - i.first + 1;

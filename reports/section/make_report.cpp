@@ -66,8 +66,9 @@ Report make_report(const scenario::Scenario& s, const mechanics::Machine& m, con
                    const Progress& progress) {
   progress.say(fmt::format("{} samples of {}", s.motion.time.size(), m.info().name));
   scene::Studio studio;
-  const bool pictures =
-      std::any_of(s.sections.begin(), s.sections.end(), [](const auto& r) { return r.kind == "mechanism" || r.kind == "snapshots"; });
+  const bool pictures = std::any_of(s.sections.begin(), s.sections.end(), [](const auto& r) {
+    return r.kind == "mechanism" || r.kind == "snapshots" || r.kind == "singularity" || r.kind == "assembly";
+  });
   if (pictures) studio.prepare();  // while the analysis runs
   const Analysis a(s, m, progress);
 
@@ -79,12 +80,19 @@ Report make_report(const scenario::Scenario& s, const mechanics::Machine& m, con
   r.source = m.info().source;
   r.scenario_text = s.text;
   r.provenance = {"pmreport", version, m.info().name, build, s.file.filename().string(), sha256(s.text)};
-  r.checks = evaluate_checks(a);
 
   const Stage stage(a, studio);
   std::vector<document::Section> overview = overview_section(a);
   std::set<std::string> data;
   int snapshots = 0;
+  std::vector<document::Check> gates;
+  const auto take = [&](Result result) {
+    for (document::Value& v : result.values) r.values.push_back(std::move(v));
+    for (document::Data& d : result.data) r.data.push_back(std::move(d));
+    for (document::Check& c : result.checks) gates.push_back(std::move(c));
+    return std::move(result.section);
+  };
+  std::vector<std::pair<std::size_t, const scenario::SectionRequest*>> comparisons;  // where each belongs
   for (const scenario::SectionRequest& request : s.sections) {
     progress.stop_if_asked();
     progress.say("section " + request.kind);
@@ -95,7 +103,10 @@ Report make_report(const scenario::Scenario& s, const mechanics::Machine& m, con
     if (request.kind == "velocity") section = velocity_section(a);
     if (request.kind == "acceleration") section = acceleration_section(a);
     if (request.kind == "statics") section = statics_section(a);
-    if (!request.title.empty()) section.title = request.title;
+    if (request.kind == "mobility") section = take(mobility_section(a, request));
+    if (request.kind == "singularity") section = take(singularity_section(a, request, stage, progress));
+    if (request.kind == "assembly") section = take(assembly_section(a, request, stage, progress));
+    if (request.kind == "classification") section = take(classification_section());
     if (!mechanics::columns_of(request.kind, m.topology()).empty() && data.insert(request.kind).second) {
       // The overview stands before the first section of curves.
       for (document::Section& o : overview) r.sections.push_back(std::move(o));
@@ -103,8 +114,18 @@ Report make_report(const scenario::Scenario& s, const mechanics::Machine& m, con
       r.data.push_back(data_of(a, request.kind));
       add_values(r, a, request.kind);
     }
+    if (request.kind == "comparison") comparisons.emplace_back(r.sections.size(), &request);
+    if (!request.title.empty()) section.title = request.title;
     r.sections.push_back(std::move(section));
   }
+  // A comparison may name a quantity of any other section.
+  for (const auto& [index, request] : comparisons) {
+    document::Section section = take(comparison_section(a, *request, r.values));
+    if (!request->title.empty()) section.title = request->title;
+    r.sections[index] = std::move(section);
+  }
+  r.checks = evaluate_checks(a, r.values);
+  r.checks.insert(r.checks.end(), gates.begin(), gates.end());
   r.summary = summary(a, r);
   return r;
 }

@@ -5,6 +5,8 @@
 #include <reports/scene/studio.hpp>
 #include <reports/section/analysis.hpp>
 
+#include <limits>
+
 namespace pmreport::section {
 
 // Cameras shared by all pictures of a report: framed over the whole motion, so that pictures of one view compare.
@@ -20,6 +22,9 @@ class Stage {
   };
   Ordered picture(int sample, const scenario::View& view, const scenario::SectionRequest& r, const std::string& id) const;
   Ordered portrait(const std::string& id) const;  // the home pose, with labels and frames
+  // Any pose of a machine of this mechanism, framed by itself and the home pose.
+  Ordered picture(const mechanics::Machine& machine, const mechanics::Pose& pose, const scene::Extras& extras, const scenario::View& view,
+                  const std::string& id, const std::string& caption, int width = 1600, int height = 1200) const;
 
  private:
   const Analysis& analysis_;
@@ -36,11 +41,34 @@ document::Section velocity_section(const Analysis& a);
 document::Section acceleration_section(const Analysis& a);
 document::Section statics_section(const Analysis& a);
 
+// What a section gives besides itself: quantities by name (see quantities.hpp), data files, gates of its own.
+struct Result {
+  document::Section section;
+  std::vector<document::Value> values;  // `section` the kind, `name` without it
+  std::vector<document::Data> data;
+  std::vector<document::Check> checks;
+};
+Result mobility_section(const Analysis& a, const scenario::SectionRequest& r);
+Result singularity_section(const Analysis& a, const scenario::SectionRequest& r, const Stage& stage, const Progress& progress);
+Result assembly_section(const Analysis& a, const scenario::SectionRequest& r, const Stage& stage, const Progress& progress);
+Result classification_section();
+// `values`: those of all other sections.
+Result comparison_section(const Analysis& a, const scenario::SectionRequest& r, const std::vector<document::Value>& values);
+
+// One number of the report, and where it was found.
+struct Number {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  int sample = -1;     // -1: not at a single sample
+  std::string column;  // of a group, the one that counts
+};
+// `largest`: of a group the largest column counts, else the smallest.
+Number measure(const Analysis& a, const scenario::Measured& m, const std::vector<document::Value>& values, bool largest = true);
+
 // Pose, limb lengths, rates, accelerations and forces on one page, when the scenario asks for enough of them.
 std::vector<document::Section> overview_section(const Analysis& a);
 
 // The [[check]] gates, and what every report demands: samples in reach, limits kept, no singular surface crossed.
-std::vector<document::Check> evaluate_checks(const Analysis& a);
+std::vector<document::Check> evaluate_checks(const Analysis& a, const std::vector<document::Value>& values);
 
 // The whole report. `build` is the plugin's, `version` the program's.
 document::Report make_report(const scenario::Scenario& s, const mechanics::Machine& m, const std::string& version, const std::string& build,

@@ -62,6 +62,15 @@ Stage::Ordered Stage::portrait(const std::string& id) const {
           studio_.take(scene::build(machine, machine.home_pose(), {}), camera, quality)};
 }
 
+Stage::Ordered Stage::picture(const mechanics::Machine& machine, const mechanics::Pose& pose, const scene::Extras& extras,
+                              const scenario::View& view, const std::string& id, const std::string& caption, int width, int height) const {
+  scene::Bounds bounds;
+  scene::include(bounds, machine, machine.home_pose());
+  scene::include(bounds, machine, pose);
+  const scene::Camera camera = scene::frame(bounds, view.azimuth, view.elevation, static_cast<double>(width) / height);
+  return {{id, caption, "", width, height}, studio_.take(scene::build(machine, pose, extras), camera, {width, height, false, 2})};
+}
+
 document::Section snapshots_section(const Analysis& a, const scenario::SectionRequest& r, const Stage& stage, const Progress& progress,
                                     int number) {
   const std::string suffix = number > 1 ? std::to_string(number) : "";

@@ -1,0 +1,19 @@
+// Quantities that sections name: single numbers, for checks, comparisons and results.json.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pmreport::mechanics {
+
+struct Quantity {
+  std::string name;   // "mobility.redundant"
+  std::string unit;   // SI
+  std::string title;  // "redundant constraints"
+};
+
+// Of a section kind: "mobility", "singularity" (`poses`: how many it is given), "assembly", "classification". Others: none.
+std::vector<Quantity> quantities_of(std::string_view section, std::size_t poses = 0);
+
+}  // namespace pmreport::mechanics
