@@ -24,7 +24,7 @@ constexpr std::size_t parameter_size = PM_SIZE_TO(pm_parameter, choice_count);
 constexpr std::size_t kinematics_size = PM_SIZE_TO(pm_kinematics, place);
 constexpr std::size_t statics_size = PM_SIZE_TO(pm_statics, jacobian);
 constexpr std::size_t dynamics_size = PM_SIZE_TO(pm_dynamics, inertias);
-constexpr std::size_t closed_forms_size = PM_SIZE_TO(pm_closed_forms, evaluate);
+constexpr std::size_t closed_forms_size = PM_SIZE_TO(pm_closed_forms, read);
 constexpr std::size_t closed_forms_end = PM_SIZE_TO(pm_mechanism, closed_forms);
 constexpr std::size_t appearance_size = PM_SIZE_TO(pm_appearance, shapes);
 #undef PM_SIZE_TO
@@ -123,6 +123,8 @@ void require_mechanism(const std::string& where, const pm_mechanism& m) {
     require_size(where, "the table closed_forms", m.closed_forms->struct_size, closed_forms_size);
     require_present(where, "the function closed_forms.matrices", m.closed_forms->matrices != nullptr);
     require_present(where, "the function closed_forms.evaluate", m.closed_forms->evaluate != nullptr);
+    require_present(where, "the function closed_forms.readings", m.closed_forms->readings != nullptr);
+    require_present(where, "the function closed_forms.read", m.closed_forms->read != nullptr);
   }
   require_parameters(where, m.parameters);
 }

@@ -79,4 +79,35 @@ Eigen::VectorXd weight_forces(const Machine& machine, const State& state, const 
   return -drive.transpose().partialPivLu().solve(work);
 }
 
+SourceDeviation source_deviation(const Machine& machine, const State& state) {
+  const Topology& t = machine.topology();
+  if (t.matrices.empty()) return {};
+  const auto rates = [](const std::vector<Scalar>& of) {
+    Eigen::VectorXd v(static_cast<Eigen::Index>(of.size()));
+    for (std::size_t i = 0; i < of.size(); ++i) v(static_cast<Eigen::Index>(i)) = of[i].rate;
+    return v;
+  };
+  const Eigen::VectorXd all[] = {rates(state.coordinates), rates(state.actuators),
+                                 state.bodies[static_cast<std::size_t>(t.platform)].twist()};
+  std::vector<double> q;
+  for (const Scalar& c : state.coordinates) q.push_back(c.value);
+  const std::vector<Eigen::MatrixXd> given = machine.matrices(q, machine.pose(q));
+  SourceDeviation worst;
+  if (given.empty()) worst.value = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(t.matrices[i].rows);
+    double scale = 1e-300;
+    const auto add = [&](const Eigen::VectorXd& term) {
+      sum += term;
+      scale = std::max(scale, term.lpNorm<Eigen::Infinity>());
+    };
+    for (std::size_t k = 0; k < given.size(); ++k)
+      if (t.matrices[k].relation == t.matrices[i].relation) add(given[k] * all[static_cast<std::size_t>(t.matrices[k].acts_on)]);
+    if (t.matrices[i].gives != Rates::none) add(-all[static_cast<std::size_t>(t.matrices[i].gives)]);
+    const double deviation = sum.lpNorm<Eigen::Infinity>() / scale;
+    if (!(deviation <= worst.value) || worst.matrix < 0) worst = {deviation, static_cast<int>(i)};
+  }
+  return worst;
+}
+
 }  // namespace pmreport::mechanics

@@ -28,4 +28,12 @@ Vector6d closed_statics(const ClosedForm& c, const Vector6d& load);
 // tau . dl + sum m g . dc = 0 for every admissible displacement, hence tau = -(dl/dq)^-T sum m (dc/dq)^T g, c the centres of mass.
 Eigen::VectorXd weight_forces(const Machine& machine, const State& state, const Eigen::Vector3d& gravity);
 
+// The relations that the source states by its matrices (Topology::matrices), with the rates of the state: for each relation, the sum of
+// matrices times rates less the rates that they give, relative to the largest term. `matrix`: one of the worst relation.
+struct SourceDeviation {
+  double value = 0;
+  int matrix = -1;  // -1: there is none, or the plugin gives none at this pose and `value` is infinite
+};
+SourceDeviation source_deviation(const Machine& machine, const State& state);
+
 }  // namespace pmreport::mechanics

@@ -34,6 +34,7 @@ std::vector<Column> columns_of(std::string_view section, const Topology& t) {
   if (section == "displacement") {
     add_pose(out, t, "", "", "coordinate", "");
     add_actuators(out, t, "", "", "");
+    for (const Reading& r : t.readings) out.push_back({r.name, r.unit, "reading", r.title});
     for (const Joint& j : t.joints) {
       if (j.kind == JointKind::prismatic) continue;
       const bool ball = j.kind == JointKind::spherical;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace pmreport::mechanics {
 
@@ -123,14 +124,17 @@ const pm_closed_forms* closed_forms_of(const pm_mechanism& table) {
 Topology read_topology(const pm_mechanism& table, const pm_instance* instance) {
   std::string why;
   pm_topology c{};
-  pm_list constraints{}, inertias{}, shapes{}, matrices{};
+  pm_list constraints{}, inertias{}, shapes{}, matrices{}, readings{};
   const auto ask = [&](const char* what, auto function, auto* out) {
     const pm_status status = call(why, [&](pm_text* text) { return function(instance, out, text); });
     if (status != PM_OK) throw MechanismError(PM_FAILED, fmt::format("cannot tell its {}: {}", what, why));
   };
   ask("topology", table.kinematics->topology, &c);
   const pm_closed_forms* forms = closed_forms_of(table);
-  if (forms != nullptr) ask("matrices", forms->matrices, &matrices);
+  if (forms != nullptr) {
+    ask("matrices", forms->matrices, &matrices);
+    ask("readings", forms->readings, &readings);
+  }
   ask("constraint wrenches", table.statics->constraints, &constraints);
   ask("inertias", table.dynamics->inertias, &inertias);
   if (table.appearance != nullptr) ask("shapes", table.appearance->shapes, &shapes);
@@ -165,6 +169,9 @@ Topology read_topology(const pm_mechanism& table, const pm_instance* instance) {
   });
   t.shapes = map<pm_shape>(shapes, [](const pm_shape& x) {
     return Shape{x.body, static_cast<ShapeKind>(x.kind), Eigen::Vector3d(x.a), Eigen::Vector3d(x.b), x.radius};
+  });
+  t.readings = map<pm_reading>(readings, [](const pm_reading& x) {
+    return Reading{text_or_empty(x.name), text_or_empty(x.title), text_or_empty(x.unit)};
   });
   t.matrices = map<pm_matrix>(matrices, [](const pm_matrix& x) {
     return SourceMatrix{text_or_empty(x.name),
@@ -304,6 +311,12 @@ std::vector<Eigen::MatrixXd> Machine::matrices(std::span<const double> coordinat
     out.emplace_back(Eigen::Map<const RowMajor>(at, m.rows, m.columns));
     at += m.rows * m.columns;
   }
+  return out;
+}
+
+std::vector<double> Machine::readings(std::span<const double> coordinates, const Pose& pose) const {
+  std::vector<double> out(topology_.readings.size(), std::numeric_limits<double>::quiet_NaN());
+  if (!out.empty()) closed_forms_of(*table_)->read(instance_, coordinates.data(), pose.numbers.data(), out.data(), nullptr);
   return out;
 }
 

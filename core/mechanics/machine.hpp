@@ -76,6 +76,8 @@ class Machine {
   pm_status place(pm_order order, std::size_t count, const double* coordinates, double* placement, std::string* why = nullptr) const;
   // The matrices of the source, in the order of topology().matrices; none where the plugin brings none, or gives none at this pose.
   std::vector<Eigen::MatrixXd> matrices(std::span<const double> coordinates, const Pose& pose) const;
+  // The readings of the source, in the order of topology().readings; NaN where one is not defined.
+  std::vector<double> readings(std::span<const double> coordinates, const Pose& pose) const;
   pm_status jacobian(pm_order order, std::size_t count, const double* placement, double* jacobian, std::string* why = nullptr) const;
   std::size_t components(pm_order order) const;  // doubles per scalar
 

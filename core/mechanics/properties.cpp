@@ -166,41 +166,14 @@ class Suite {
       note(*rates_, d.rate, at(""));
       note(*accelerations_, d.acceleration, at(""));
     }
-    matrices();
+    const SourceDeviation source = source_deviation(machine_, state_);
+    if (source.value > 0)
+      note(*matrices_, source.value,
+           at(source.matrix < 0 ? "the plugin gives none" : "matrix " + t.matrices[static_cast<std::size_t>(source.matrix)].name));
     partials();
     if (c.condition < 1e6) {  // next to a singular pose neither has an answer to compare
       round_trip(c.condition);
       statics(model, c, platform.twist());
-    }
-  }
-
-  // The matrices of one relation, each times its rates, less the rates that they give.
-  void matrices() {
-    const std::vector<SourceMatrix>& declared = machine_.topology().matrices;
-    if (declared.empty()) return;
-    const auto rates = [](const std::vector<Scalar>& of) {
-      VectorXd v(static_cast<Eigen::Index>(of.size()));
-      for (std::size_t i = 0; i < of.size(); ++i) v(static_cast<Eigen::Index>(i)) = of[i].rate;
-      return v;
-    };
-    const VectorXd all[] = {rates(state_.coordinates), rates(state_.actuators),
-                            state_.bodies[static_cast<std::size_t>(machine_.topology().platform)].twist()};
-    VectorXd q(machine_.dof());
-    for (int i = 0; i < machine_.dof(); ++i) q(i) = state_.coordinates[static_cast<std::size_t>(i)].value;
-    const std::span<const double> at_q{q.data(), static_cast<std::size_t>(q.size())};
-    const std::vector<Eigen::MatrixXd> given = machine_.matrices(at_q, machine_.pose(at_q));
-    if (given.size() != declared.size()) return note(*matrices_, std::numeric_limits<double>::infinity(), at("the plugin gives none"));
-    for (std::size_t i = 0; i < declared.size(); ++i) {
-      VectorXd sum = VectorXd::Zero(declared[i].rows);
-      double scale = 1e-6;
-      const auto add = [&](const VectorXd& term) {
-        sum += term;
-        scale = std::max(scale, term.lpNorm<Eigen::Infinity>());
-      };
-      for (std::size_t k = 0; k < declared.size(); ++k)
-        if (declared[k].relation == declared[i].relation) add(given[k] * all[static_cast<std::size_t>(declared[k].acts_on)]);
-      if (declared[i].gives != Rates::none) add(-all[static_cast<std::size_t>(declared[i].gives)]);
-      note(*matrices_, sum.lpNorm<Eigen::Infinity>() / scale, at("matrix " + declared[i].name));
     }
   }
 

@@ -8,8 +8,9 @@
 //     pmreport::Topology topology() const;                                     // what is connected to what
 //     template <class T> void place(const Coordinates<T>&, pmreport::Placement<T>&) const;           // where everything is
 //     template <class T> pmreport::Matrix6<T> jacobian(const pmreport::Placement<T>&) const;         // what carries the load
-//     std::vector<Eigen::MatrixXd> matrices(const Coordinates<double>&, const Placement<double>&) const;   // optional: what the source
-//     states
+//     std::vector<double> readings(const Coordinates<double>&, const Placement<double>&) const;            // optional: values without
+//     rates std::vector<Eigen::MatrixXd> matrices(const Coordinates<double>&, const Placement<double>&) const;   // optional: what the
+//     source states
 //   };
 //   PMREPORT_PLUGIN(MyMechanism)                                               // or several: PMREPORT_PLUGIN(One, Another)
 //
@@ -86,6 +87,7 @@ struct Instance {
   std::vector<pm_inertia> inertias;
   std::vector<pm_shape> shapes;
   std::vector<pm_matrix> matrices;
+  std::vector<pm_reading> readings;
 
   explicit Instance(const Parameters& p) : mechanism(p), topology(mechanism.topology()), layout(topology) {
     const Topology& t = topology;
@@ -119,6 +121,7 @@ struct Instance {
       for (int k = 0; k < 3; ++k) o.a[k] = s.a(k), o.b[k] = s.b(k);
       shapes.push_back(o);
     }
+    for (const auto& r : t.readings) readings.push_back({r.name.c_str(), r.title.c_str(), r.unit.c_str()});
     for (const auto& m : t.matrices)
       matrices.push_back({m.name.c_str(), m.title.c_str(), static_cast<std::size_t>(m.rows), static_cast<std::size_t>(m.columns),
                           m.relation, static_cast<pm_rates>(m.acts_on), static_cast<pm_rates>(m.gives)});
@@ -227,30 +230,61 @@ struct Functions {
   }
 };
 
-// Mechanisms whose author brings matrices of the source.
+// Mechanisms whose author brings matrices of the source, or readings.
 template <class M>
 concept HasMatrices = requires(const M& m, const typename M::template Coordinates<double>& q, const Placement<double>& at) {
   { m.matrices(q, at) } -> std::same_as<std::vector<Eigen::MatrixXd>>;
 };
+template <class M>
+concept HasReadings = requires(const M& m, const typename M::template Coordinates<double>& q, const Placement<double>& at) {
+  { m.readings(q, at) } -> std::same_as<std::vector<double>>;
+};
 
-template <HasMatrices M>
-pm_status evaluate_matrices(const pm_instance* p, const double* coordinates, const double* placement, double* out, pm_text* text) noexcept {
-  return guard(text, [&] {
-    const Instance<M>& s = Functions<M>::self(p);
+template <class M>
+struct ClosedForms {
+  using Self = Instance<M>;
+
+  // Calls f(mechanism, coordinates, placement) at the pose that the host gives.
+  template <class F>
+  static auto at_pose(const Self& s, const double* coordinates, const double* placement, F&& f) {
     typename M::template Coordinates<double> q;
     std::copy_n(coordinates, q.size(), q.begin());
-    const std::vector<Eigen::MatrixXd> all = s.mechanism.matrices(q, Placement<double>(placement, 1, s.layout));
-    if (all.size() != s.matrices.size()) throw std::logic_error("the number of matrices differs from what the topology declares");
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const auto rows = static_cast<Eigen::Index>(s.matrices[i].rows), columns = static_cast<Eigen::Index>(s.matrices[i].columns);
-      if (all[i].rows() != rows || all[i].cols() != columns)
-        throw std::logic_error("matrix " + s.topology.matrices[i].name + " has another size than the topology declares");
-      for (Eigen::Index r = 0; r < rows; ++r)
-        for (Eigen::Index c = 0; c < columns; ++c) *out++ = all[i](r, c);
-    }
-    return PM_OK;
-  });
-}
+    return f(s.mechanism, q, Placement<double>(placement, 1, s.layout));
+  }
+
+  static pm_status evaluate(const pm_instance* p, const double* coordinates, const double* placement, double* out, pm_text* text) noexcept {
+    return guard(text, [&] {
+      const Self& s = Functions<M>::self(p);
+      std::vector<Eigen::MatrixXd> all;
+      if constexpr (HasMatrices<M>)
+        all = at_pose(s, coordinates, placement, [](const M& m, const auto& q, const auto& at) { return m.matrices(q, at); });
+      if (all.size() != s.matrices.size()) throw std::logic_error("the number of matrices differs from what the topology declares");
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto rows = static_cast<Eigen::Index>(s.matrices[i].rows), columns = static_cast<Eigen::Index>(s.matrices[i].columns);
+        if (all[i].rows() != rows || all[i].cols() != columns)
+          throw std::logic_error("matrix " + s.topology.matrices[i].name + " has another size than the topology declares");
+        for (Eigen::Index r = 0; r < rows; ++r)
+          for (Eigen::Index c = 0; c < columns; ++c) *out++ = all[i](r, c);
+      }
+      return PM_OK;
+    });
+  }
+
+  static pm_status read(const pm_instance* p, const double* coordinates, const double* placement, double* out, pm_text* text) noexcept {
+    return guard(text, [&] {
+      const Self& s = Functions<M>::self(p);
+      std::vector<double> all;
+      if constexpr (HasReadings<M>)
+        all = at_pose(s, coordinates, placement, [](const M& m, const auto& q, const auto& at) { return m.readings(q, at); });
+      if (all.size() != s.readings.size()) throw std::logic_error("the number of readings differs from what the topology declares");
+      std::ranges::copy(all, out);
+      return PM_OK;
+    });
+  }
+
+  static constexpr pm_closed_forms table{sizeof(pm_closed_forms), Functions<M>::template listing<&Instance<M>::matrices>, evaluate,
+                                         Functions<M>::template listing<&Instance<M>::readings>, read};
+};
 
 template <class M>
 inline constexpr auto parameter_infos = [] {
@@ -269,17 +303,6 @@ template <class M>
 inline constexpr pm_appearance appearance{sizeof(pm_appearance), Functions<M>::template listing<&Instance<M>::shapes>};
 
 template <class M>
-struct ClosedForms {
-  static constexpr const pm_closed_forms* table() { return nullptr; }
-};
-template <HasMatrices M>
-struct ClosedForms<M> {
-  static constexpr pm_closed_forms forms{sizeof(pm_closed_forms), Functions<M>::template listing<&Instance<M>::matrices>,
-                                         evaluate_matrices<M>};
-  static constexpr const pm_closed_forms* table() { return &forms; }
-};
-
-template <class M>
 inline constexpr pm_mechanism mechanism{sizeof(pm_mechanism),
                                         M::name,
                                         M::title,
@@ -292,7 +315,7 @@ inline constexpr pm_mechanism mechanism{sizeof(pm_mechanism),
                                         &statics<M>,
                                         &dynamics<M>,
                                         &appearance<M>,
-                                        ClosedForms<M>::table()};
+                                        &ClosedForms<M>::table};
 
 template <class... M>
 inline constexpr std::array<const pm_mechanism*, sizeof...(M)> mechanisms{&mechanism<M>...};

@@ -221,11 +221,21 @@ typedef struct pm_matrix {
   pm_rates gives;   /* PM_ACTUATOR_RATES, PM_TWIST, PM_COORDINATE_RATES, or PM_NO_RATES: they sum to zero. Equal within a relation */
 } pm_matrix;
 
+/* A number that the source shows at a pose: an angle in its own convention, a transmission index. A value only: it need not have rates
+   everywhere, and is NaN where it is not defined. What has rates is a pm_derived instead. */
+typedef struct pm_reading {
+  const char* name;
+  const char* title;
+  const char* unit;
+} pm_reading;
+
 typedef struct pm_closed_forms {
   size_t struct_size;
   pm_status (*matrices)(const pm_instance*, pm_list* out, pm_text* message); /* pm_matrix */
   /* Fills the matrices one after the other, each row-major, at one pose: its coordinates, and its placement of order PM_VALUE. */
   pm_status (*evaluate)(const pm_instance*, const double* coordinates, const double* placement, double* out, pm_text* message);
+  pm_status (*readings)(const pm_instance*, pm_list* out, pm_text* message); /* pm_reading */
+  pm_status (*read)(const pm_instance*, const double* coordinates, const double* placement, double* out, pm_text* message);
 } pm_closed_forms;
 
 /* ---- How it looks ----------------------------------------------------------------------------------------------------------------- */

@@ -103,6 +103,10 @@ struct SourceMatrix {
   int relation = 0;
 };
 
+struct Reading {  // a number of the source at a pose, without rates; see plugin.h
+  std::string name, title, unit;
+};
+
 struct Shape {
   int body = 0;
   ShapeKind kind = ShapeKind::cylinder;
@@ -119,6 +123,7 @@ struct Topology {
   std::vector<Constraint> constraints;
   std::vector<Shape> shapes;
   std::vector<SourceMatrix> matrices;  // what the mechanism's `matrices` fills in, in this order
+  std::vector<Reading> readings;       // what its `readings` gives, in this order
   int platform = 0;
   int idle = 0;  // idle freedoms: spins of legs that move nothing else
 

@@ -16,16 +16,18 @@ constexpr double pi = std::numbers::pi, deg = pi / 180;
 constexpr const char* rod_words[] = {"uncrossed", "crossed"};
 constexpr double tangential_axis[] = {0, 0, 0}, platform_inertia[] = {0.002, 0.002, 0.002, 0, 0, 0};
 
-constexpr int platform = 1, spr_cylinder = 16, spr_piston = 17, s3 = 18, p3 = 19, r3 = 20;
-struct Planar {  // bodies and joints of limb Q_i, i = 0, 1, in its rods j = 0, 1
-  int i, lower = 2 + 7 * i, upper = 7 + 7 * i, vertical = 8 + 7 * i;
-  int r1 = 9 * i, r5 = 9 * i + 7, r4 = 9 * i + 8;
-  constexpr int cylinder(int j) const { return lower + 1 + 2 * j; }
-  constexpr int piston(int j) const { return lower + 2 + 2 * j; }
-  constexpr int base_pin(int j) const { return r1 + 1 + 3 * j; }  // R_Bij
-  constexpr int slide(int j) const { return r1 + 2 + 3 * j; }     // P_ij
-  constexpr int beam_pin(int j) const { return r1 + 3 + 3 * j; }  // R_bij
+constexpr int platform = 1;
+struct Rod {  // its number as an actuator, its bodies, its joints from the base up
+  int actuator, cylinder, piston, low, slide, high;
 };
+constexpr Rod spr{4, 16, 17, 18, 19, 20};
+struct Planar {  // bodies and joints of limb Q_i, i = 0, 1, and its rods j = 0, 1
+  int i, lower = 2 + 7 * i, upper = 7 + 7 * i, vertical = 8 + 7 * i, r1 = 9 * i, r5 = 9 * i + 7, r4 = 9 * i + 8;
+  constexpr Rod rod(int j) const {
+    return {2 * i + j, lower + 1 + 2 * j, lower + 2 + 2 * j, r1 + 1 + 3 * j, r1 + 2 + 3 * j, r1 + 3 + 3 * j};
+  }
+};
+constexpr Planar planar[] = {{0}, {1}};
 constexpr double end_sign[] = {1, -1};  // of the beams' ends j = 0, 1 along n_i and mu_i
 
 class TwoQSpr : public Mechanism<5> {
@@ -44,9 +46,9 @@ class TwoQSpr : public Mechanism<5> {
       Parameter::working_mode("rods_1", rod_words, 0, "rods of limb Q1: the end of the upper beam that each rod drives"),
       Parameter::working_mode("rods_2", rod_words, 0, "rods of limb Q2, likewise"),
       Parameter::length("stroke_min", 0.230, "shortest rod", {0.001, 100}),
-      Parameter::length("stroke_max", 0.410, "longest rod", {0.001, 100}),
+      Parameter::length("stroke_max", 0.430, "longest rod", {0.001, 100}),
       Parameter::angle("plane_tilt", 45 * deg, "largest turn of a limb's plane (R_i1) from home", {0, pi}),
-      Parameter::angle("pin_angle", 45 * deg, "largest turn of a rod against a beam (R_Bij, R_bij) from home", {0, pi}),
+      Parameter::angle("pin_angle", 60 * deg, "largest turn of a rod against a beam (R_Bij, R_bij) from home", {0, pi}),
       Parameter::angle("swivel_angle", 45 * deg, "largest turn of a vertical rod's hinges (R_i4, R_i5) from home", {0, pi}),
       Parameter::angle("ball_cone", 45 * deg, "largest deflection of the ball S3 from home", {0, pi}),
       Parameter::angle("revolute_angle", 60 * deg, "largest turn of the hinge R3 from home", {0, pi}),
@@ -81,53 +83,47 @@ class TwoQSpr : public Mechanism<5> {
     const Vector3<T> p(x, y, z);
     at.body(platform, p, r);
 
-    // ZYZ angles (Eq. 2) have no derivative at home. These have one wherever beta < 180 degrees, and say the same:
-    // n_z = (sin beta cos alpha, sin beta sin alpha, cos beta), and (1 + cos beta)(cos, sin)(alpha + gamma) as below.
     at.derived(0, y);
-    at.derived(1, nz.x());
-    at.derived(2, nz.y());
-    at.derived(3, atan2(T(r(1, 0) - r(0, 1)), T(r(0, 0) + r(1, 1))));
+    for (const Planar limb : planar) place_planar<T>(limb, p + r * platform_[std::size_t(limb.i)], nz, at);
 
-    for (const Planar limb : planar_) place_planar<T>(limb, p + r * platform_[std::size_t(limb.i)], nz, at);
+    const Vector3<T> low = base_[2].cast<T>(), high = p + r * platform_[2];
+    place_rod<T>(spr, low, high, f3, at);
+    at.joint(spr.low, low);
+  }
 
-    const auto b3 = base_[2].cast<T>().eval();
-    const Vector3<T> tip = p + r * platform_[2], along = tip - b3;
-    const T l = length(along);
-    const Vector3<T> delta = along * T(1.0 / l);
-    const Matrix3<T> turned = frame_xz(f3, delta);
-    at.body(spr_cylinder, b3, turned);
-    at.body(spr_piston, tip, turned);
-    at.joint(s3, b3);
-    at.joint(p3, tip, delta);
-    at.joint(r3, tip, f3);
-    at.actuator(4, l);
+  // Eq. (2), R = Rz(alpha) Ry(beta) Rz(gamma). At home, beta = 0, only alpha + gamma is defined: no rates, hence readings.
+  std::vector<double> readings(const Coordinates<double>&, const Placement<double>& at) const {
+    const Matrix3<double> r = at.rotation(platform);
+    const double tilt = hypot(r(0, 2), r(1, 2)), undefined = std::numeric_limits<double>::quiet_NaN();
+    if (tilt < 1e-9) return {undefined, 0, undefined};
+    return {atan2(r(1, 2), r(0, 2)), atan2(tilt, r(2, 2)), atan2(r(2, 1), -r(2, 0))};
   }
 
   // Statics of a planar limb. Rod ij pushes the upper beam with delta at b_ij: with delta at b_i, and a couple of size
   //     lever = +-d mu x delta . N
   // about N. R_i5 and R_i4 pass on to the platform no couple but one along w = n_z x mu, so the platform gets k w with k = lever / (N . w).
-  // What k w has beside N, the lower beam holds, all but its part about the hinge R_i1: a force f N at b_i balances that one,
-  // k n . w + f n . (r_i x N) = 0, with n . (r_i x N) = |n x r_i|. The rod thus applies (delta + f N) at b_i and the couple k w; read as a
-  // row, the same wrench gives the rod's rate, Eqs. (12) and (13), for which the paper leaves J_wbi open.
-  // The force of R3 acts along f3 through B_3, where the ball cannot give way, Eq. (16).
+  // What k w has beside N, the loop carries across its plane down to R_i1, which holds all but the part about n: a force f N at b_i
+  // balances that, k n . w + f n . (r_i x N) = 0. The rod thus applies (delta + f N) at b_i and the couple k w. Read as a row, the same
+  // wrench gives the rod's rate, Eqs. (12) and (13), for which the paper leaves J_wbi open. The SPR limb pushes along itself, Eq. (14), and
+  // holds b_3 along f3; its force acts through B_3, where the ball cannot give way, Eq. (16).
   template <class T>
   Matrix6<T> jacobian(const Placement<T>& at) const {
     const Vector3<T> p = at.origin(platform);
     Matrix6<T> g;
-    for (const Planar limb : planar_) {
+    for (const Planar limb : planar) {
       const Vector3d& n = hinge_[std::size_t(limb.i)];
       const Vector3<T> b = at.centre(limb.r4), r = b - base_[std::size_t(limb.i)], mu = at.axis(limb.r5);
-      const Vector3<T> normal = at.axis(limb.base_pin(0)), w = at.axis(limb.r4).cross(mu);
+      const Vector3<T> normal = at.axis(limb.rod(0).low), w = at.axis(limb.r4).cross(mu);
       for (int j = 0; j < 2; ++j) {
-        const Vector3<T> delta = at.axis(limb.slide(j));
+        const Vector3<T> delta = at.axis(limb.rod(j).slide);
         const T lever = end_sign[j] * upper_ * mu.cross(delta).dot(normal), k = lever / normal.dot(w);
         const T f = -k * w.dot(n) / r.cross(normal).dot(n);
         force_row<T>(g, 2 * limb.i + j, delta + normal * f, b - p);
         for (int c = 0; c < 3; ++c) g(2 * limb.i + j, 3 + c) += k * w(c);
       }
     }
-    force_row<T>(g, 4, at.axis(p3), at.centre(r3) - p);  // Eq. (14)
-    force_row<T>(g, 5, at.axis(r3), at.centre(s3) - p);
+    force_row<T>(g, 4, at.axis(spr.slide), at.centre(spr.high) - p);
+    force_row<T>(g, 5, at.axis(spr.high), at.centre(spr.low) - p);
     return g;
   }
 
@@ -139,11 +135,10 @@ class TwoQSpr : public Mechanism<5> {
     const auto i = std::size_t(limb.i);
     const Vector3<T> foot = base_[i].cast<T>(), n = hinge_[i].cast<T>(), r = b - foot, across = n.cross(r);
     const T height = length(across);
-    at.require(height - 0.02 * lower_,
-               "a platform joint lies almost on the base hinge of its planar limb, whose plane it no longer determines");
+    at.require(height - 0.02 * lower_, "a platform joint is almost on the base hinge of its planar limb, whose plane it leaves open");
     const Vector3<T> normal = across * T(1.0 / height), along = nz.cross(normal);
     const T sine = length(along);
-    at.require(sine - 0.05, "the platform is almost parallel to the plane of a planar limb, whose upper beam it no longer directs");
+    at.require(sine - 0.05, "the platform is almost parallel to the plane of a planar limb, whose upper beam it leaves free");
     const Vector3<T> mu = along * T(mode_[i] / sine);
 
     at.body(limb.lower, foot, frame_xz(normal, n));
@@ -153,22 +148,27 @@ class TwoQSpr : public Mechanism<5> {
     at.joint(limb.r5, b, mu);
     at.joint(limb.r4, b, nz);
     for (int j = 0; j < 2; ++j) {
-      const Vector3<T> low = foot + n * (end_sign[j] * lower_), high = b + mu * (end_sign[j] * upper_), rod = high - low;
-      const T l = length(rod);
-      const Vector3<T> delta = rod * T(1.0 / l);
-      const Matrix3<T> turned = frame_xz(normal, delta);
-      at.body(limb.cylinder(j), low, turned);
-      at.body(limb.piston(j), high, turned);
-      at.joint(limb.base_pin(j), low, normal);
-      at.joint(limb.slide(j), high, delta);
-      at.joint(limb.beam_pin(j), high, normal);
-      at.actuator(2 * limb.i + j, l);
+      const Vector3<T> low = foot + n * (end_sign[j] * lower_), high = b + mu * (end_sign[j] * upper_);
+      place_rod<T>(limb.rod(j), low, high, normal, at);
+      at.joint(limb.rod(j).low, low, normal);
     }
   }
 
-  Topology describe(const Parameters& p) const;
+  // A driven rod from `low` to `high`, Eq. (8). Its upper hinge lies along `x`, which it is perpendicular to.
+  template <class T>
+  void place_rod(const Rod& rod, const Vector3<T>& low, const Vector3<T>& high, const Vector3<T>& x, Placement<T>& at) const {
+    const Vector3<T> along = high - low;
+    const T l = length(along);
+    const Vector3<T> delta = along * T(1.0 / l);
+    const Matrix3<T> turned = frame_xz(x, delta);
+    at.body(rod.cylinder, low, turned);
+    at.body(rod.piston, high, turned);
+    at.joint(rod.slide, high, delta);
+    at.joint(rod.high, high, x);
+    at.actuator(rod.actuator, l);
+  }
 
-  static constexpr Planar planar_[] = {{0}, {1}};
+  Topology describe(const Parameters& p) const;
 
   std::array<Vector3d, 3> base_, platform_;  // B_i in base axes, b_i in platform axes
   std::array<Vector3d, 2> hinge_;            // n_i
@@ -178,16 +178,14 @@ class TwoQSpr : public Mechanism<5> {
   Topology topology_;
 };
 
-TwoQSpr::TwoQSpr(const Parameters& p)
-    : lower_(p["lower_beam"]),
-      upper_(p["upper_beam"]),
-      mode_{p.choice("rods_1") == "crossed" ? -1.0 : 1.0, p.choice("rods_2") == "crossed" ? -1.0 : 1.0} {
+TwoQSpr::TwoQSpr(const Parameters& p) : lower_(p["lower_beam"]), upper_(p["upper_beam"]) {
   constexpr double azimuth[] = {-30 * deg, 90 * deg, 210 * deg};
   for (std::size_t i = 0; i < 3; ++i) {  // Eq. (1)
     const Vector3d vertex = Vector3d(cos(azimuth[i]), sin(azimuth[i]), 0) / sqrt(3.0);
     base_[i] = p["base_side"] * vertex;
     platform_[i] = p["platform_side"] * vertex;
   }
+  for (std::size_t i = 0; i < 2; ++i) mode_[i] = p.choice(i == 0 ? "rods_1" : "rods_2") == "crossed" ? -1 : 1;
   hinge_ = {(base_[1] - base_[2]).normalized(), (base_[0] - base_[2]).normalized()};  // Eq. (5): along the opposite side
   if (p["stroke_min"] >= p["stroke_max"]) refuse("stroke_min must be less than stroke_max");
 
@@ -205,52 +203,46 @@ TwoQSpr::TwoQSpr(const Parameters& p)
 
 Topology TwoQSpr::describe(const Parameters& p) const {
   Topology t;
-  const double height = p["home_height"], tube = 0.95 * p["stroke_min"];  // no part is drawn longer than the shortest rod
-  t.add(Coordinate::around(0, 0.1 * height, "x", "X position", "m"), false);
-  t.add(Coordinate::around(height, height / 6, "z", "Z position", "m"), false);
-  t.add(Coordinate::around(0, 10 * deg, "yaw", "turn about Z", "rad"), false);
-  t.add(Coordinate::around(0, 10 * deg, "pitch", "turn about Y1", "rad"), false);
-  t.add(Coordinate::around(0, 10 * deg, "roll", "turn about X2", "rad"), false);
-  t.derived = {{"y", "Y position", "m", true},
-               {"normal_x", "X part of the platform's normal, sin(beta) cos(alpha)", "", false},
-               {"normal_y", "Y part of the platform's normal, sin(beta) sin(alpha)", "", false},
-               {"torsion", "torsion alpha + gamma of the ZYZ angles", "rad", false}};
+  const double height = p["home_height"], thick = 0.013 * height, tube = 0.95 * p["stroke_min"];  // no part longer than the shortest rod
+  t.coordinates = {
+      Coordinate::around(0, 0.1 * height, "x", "X position", "m"), Coordinate::around(height, height / 6, "z", "Z position", "m"),
+      Coordinate::around(0, 10 * deg, "yaw", "turn about Z", "rad"), Coordinate::around(0, 10 * deg, "pitch", "turn about Y1", "rad"),
+      Coordinate::around(0, 10 * deg, "roll", "turn about X2", "rad")};
+  t.derived = {{"y", "Y position", "m", true}};
+  t.readings = {{"alpha", "ZYZ angle alpha", "rad"}, {"beta", "ZYZ angle beta, the tilt", "rad"}, {"gamma", "ZYZ angle gamma", "rad"}};
 
-  const auto beam = [&p](const std::string& n) {
-    return Inertia::axisymmetric(p[n + "_mass"], 0, p[n + "_inertia"], p[n + "_axial_inertia"]);
+  const auto inertia = [&p](const std::string& of, double centre) {
+    return Inertia::axisymmetric(p[of + "_mass"], centre, p[of + "_inertia"], p[of + "_axial_inertia"]);
   };
-  const auto cylinder = Inertia::axisymmetric(p["cylinder_mass"], p["cylinder_centre"], p["cylinder_inertia"], p["cylinder_axial_inertia"]);
-  const auto piston = Inertia::axisymmetric(p["piston_mass"], -p["piston_centre"], p["piston_inertia"], p["piston_axial_inertia"]);
   const auto within = [&p](const char* angle) { return std::vector<Range>{{-p[angle], p[angle]}}; };
-  const Range stroke{p["stroke_min"], p["stroke_max"]};
-  const auto rod = [&](const std::string& n, int limb) {
-    const int a = t.add(Body{"cylinder " + n, limb, false, cylinder}), b = t.add(Body{"piston " + n, limb, false, piston});
-    t.draw_along_axis(a, 0, tube, 0.030 * height);
-    t.draw_along_axis(b, -tube, 0, 0.017 * height);
+  const auto rod = [&](const std::string& n, int limb, Joint low, Joint high) {
+    low.b = t.add(Body{"cylinder " + n, limb, false, inertia("cylinder", p["cylinder_centre"])});
+    high.b = t.add(Body{"piston " + n, limb, false, inertia("piston", -p["piston_centre"])});
+    t.add(low);
+    const int slide = t.add(Joint{"P" + n, JointKind::prismatic, low.b, high.b, {}});
+    t.add(high);
+    t.add(Actuator{"r" + n, "length of rod " + n, "m", slide, {p["stroke_min"], p["stroke_max"]}});
+    t.draw_along_axis(low.b, 0, tube, 0.030 * height);
+    t.draw_along_axis(high.b, -tube, 0, 0.017 * height);
   };
-  const auto drive = [&](const std::string& n, int slide) { t.add(Actuator{"r" + n, "length of rod " + n, "m", slide, stroke}); };
 
   t.platform = t.add(Body{"platform", 0, false, Inertia::central(p["platform_mass"], p.numbers("platform_inertia"))});
-  for (const Planar limb : planar_) {
+  for (const Planar limb : planar) {
     const std::string n = std::to_string(limb.i + 1);
-    t.add(Body{"lower beam G" + n, limb.i + 1, false, beam("lower_beam")});
-    for (const char* j : {"1", "2"}) rod(n + j, limb.i + 1);
-    t.add(Body{"upper beam g" + n, limb.i + 1, false, beam("upper_beam")});
-    t.add(Body{"vertical rod " + n, limb.i + 1, false, {}});
+    t.add(Body{"lower beam G" + n, limb.i + 1, false, inertia("lower_beam", 0)});
     t.add(Joint{"R" + n + "1", JointKind::revolute, 0, limb.lower, within("plane_tilt")});
-    for (int j = 0; j < 2; ++j) {
-      const std::string ij = n + std::to_string(j + 1);
-      t.add(Joint{"RB" + ij, JointKind::revolute, limb.lower, limb.cylinder(j), within("pin_angle")});
-      drive(ij, t.add(Joint{"P" + ij, JointKind::prismatic, limb.cylinder(j), limb.piston(j), {}}));
-      t.add(Joint{"Rb" + ij, JointKind::revolute, limb.upper, limb.piston(j), within("pin_angle")});
-    }
+    for (const auto& ij : {n + "1", n + "2"})
+      rod(ij, limb.i + 1, {"RB" + ij, JointKind::revolute, limb.lower, 0, within("pin_angle")},
+          {"Rb" + ij, JointKind::revolute, limb.upper, 0, within("pin_angle")});
+    t.add(Body{"upper beam g" + n, limb.i + 1, false, inertia("upper_beam", 0)});
+    t.add(Body{"vertical rod " + n, limb.i + 1, false, {}});
     t.add(Joint{"R" + n + "5", JointKind::revolute, limb.vertical, limb.upper, within("swivel_angle")});
     t.add(Joint{"R" + n + "4", JointKind::revolute, platform, limb.vertical, within("swivel_angle")});
+    t.shapes.push_back({limb.lower, ShapeKind::box, {0, 0, 0}, {thick, thick, lower_}, 0});
+    t.shapes.push_back({limb.upper, ShapeKind::box, {0, 0, 0}, {thick, thick, upper_ + 2 * thick}, 0});
   }
-  rod("3", 3);
-  t.add(Joint{"S3", JointKind::spherical, 0, spr_cylinder, {{0, p["ball_cone"]}}});
-  drive("3", t.add(Joint{"P3", JointKind::prismatic, spr_cylinder, spr_piston, {}}));
-  t.add(Joint{"R3", JointKind::revolute, platform, spr_piston, within("revolute_angle")});
+  rod("3", 3, {"S3", JointKind::spherical, 0, 0, {{0, p["ball_cone"]}}},
+      {"R3", JointKind::revolute, platform, 0, within("revolute_angle")});
   t.constraints.push_back({"constraint1", "force F_y along the axis of R3 through B3", "N"});
   return t;
 }

@@ -34,6 +34,51 @@ void add_actuators(figure::Figure& f, const Analysis& a, const std::string& sect
   for (const std::string unit : {"m", "rad"}) add_panel(f, a, words, words, unit + per, group(a, section, "actuator" + suffix, unit + per));
 }
 
+// Joint motions: in one panel as long as they are few, else those of one letter in one: A1 A2 ..., B1 B2 ...
+void add_joints(figure::Figure& f, const Analysis& a) {
+  constexpr std::size_t few = 10;
+  const std::vector<Curve> all = group(a, "displacement", "joint_angle");
+  if (all.size() <= few) return add_panel(f, a, "joints", "motion from home", "rad", all);
+  std::vector<std::pair<std::string, std::vector<Curve>>> kinds;
+  for (const Curve& c : all) {
+    const std::string letters = c.column.substr(0, c.column.find_first_of("0123456789_"));
+    const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.first == letters; });
+    (found != kinds.end() ? *found : kinds.emplace_back(letters, std::vector<Curve>{})).second.push_back(c);
+  }
+  for (const auto& [letters, curves] : kinds) add_panel(f, a, "joints " + letters, "motion from home", "rad", curves);
+}
+
+// The matrices that the source states, at the first sample that has a pose.
+void add_matrices(Section& s, const Analysis& a) {
+  const Topology& t = a.machine().topology();
+  if (t.matrices.empty()) return;
+  int sample = 0;
+  while (sample < a.samples() && a.condition(sample) != Condition::good) ++sample;
+  if (sample == a.samples()) return;
+  const Eigen::VectorXd q = a.scenario().motion.value.row(sample);
+  const std::vector<Eigen::MatrixXd> all = a.machine().matrices({q.data(), static_cast<std::size_t>(q.size())}, a.pose(sample));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const SourceMatrix& m = t.matrices[i];
+    std::vector<std::string> of;
+    if (m.acts_on == Rates::coordinates)
+      for (const Coordinate& c : t.coordinates) of.push_back(symbol(c.name));
+    else if (m.acts_on == Rates::actuators)
+      for (const Actuator& x : t.actuators) of.push_back(symbol(x.name));
+    else
+      of = {"vx", "vy", "vz", "ωx", "ωy", "ωz"};
+    document::Table table{fmt::format("Matrix {}, {}, at t = {}; SI units.", m.name, m.title, show_time(a, sample)),
+                          of,
+                          std::vector<bool>(of.size(), true),
+                          {}};
+    for (Eigen::Index r = 0; r < all[i].rows(); ++r) {
+      std::vector<std::string> row;
+      for (Eigen::Index c = 0; c < all[i].cols(); ++c) row.push_back(typeset(format_number(all[i](r, c), 5)));
+      table.rows.push_back(std::move(row));
+    }
+    s.blocks.push_back(std::move(table));
+  }
+}
+
 }  // namespace
 
 Section displacement_section(const Analysis& a) {
@@ -59,10 +104,17 @@ Section displacement_section(const Analysis& a) {
   add_panel(f, a, "position", "position", "m", group(a, "displacement", "coordinate", "m"));
   add_panel(f, a, "orientation", "angle", "rad", group(a, "displacement", "coordinate", "rad"));
   add_actuators(f, a, "displacement", "", linear_drives(a) ? "actuator length" : "actuator value", "");
-  add_panel(f, a, "joints", "motion from home", "rad", group(a, "displacement", "joint_angle"));
+  for (const std::string name : {"derived", "reading"})
+    for (const std::string unit : {"m", "rad", "1"})
+      add_panel(f, a, name == "derived" ? "derived quantities" : "quantities of the source",
+                unit == "m"     ? "length"
+                : unit == "rad" ? "angle"
+                                : "value",
+                unit == "1" ? "" : unit, group(a, "displacement", name, unit));
+  add_joints(f, a);
   s.blocks.push_back(f);
-  s.blocks.push_back(
-      extremes(a, "Extremes over the motion.", columns_in(a, "displacement", {"coordinate", "derived", "actuator", "joint_angle"})));
+  s.blocks.push_back(extremes(a, "Extremes over the motion.",
+                              columns_in(a, "displacement", {"coordinate", "derived", "actuator", "reading", "joint_angle"})));
   s.blocks.push_back(proof(
       a,
       {{Measure::gap, "The joints close", "largest distance of the two images of a joint centre, each carried along by one of its bodies",
@@ -95,14 +147,18 @@ Section velocity_section(const Analysis& a) {
   s.blocks.push_back(f);
   s.blocks.push_back(extremes(a, "Extremes over the motion.",
                               columns_in(a, "velocity", {"actuator_rate", "velocity", "angular_velocity", "det_G", "condition"})));
-  s.blocks.push_back(proof(
-      a, {{Measure::velocity, "Relative velocities are those the joints allow",
-           "twists of all bodies in the constraints of the generic model, relative to the largest twist", 1e-9, ""},
-          {Measure::jacobian, "Closed form equals the geometry", "G times twist against actuator rates by differentiation, relative", 1e-9,
-           ""},
-          {Measure::forward_velocity, "Forward velocity returns the twist", "twist solved from the actuator rates, relative", 1e-7, ""},
-          {Measure::difference_rate, "Derivatives are exact",
-           "rates of every body and joint against eighth-order differences in extended precision, relative", 1e-11, ""}}));
+  add_matrices(s, a);
+  std::vector<Claim> claims{
+      {Measure::velocity, "Relative velocities are those the joints allow",
+       "twists of all bodies in the constraints of the generic model, relative to the largest twist", 1e-9, ""},
+      {Measure::jacobian, "Closed form equals the geometry", "G times twist against actuator rates by differentiation, relative", 1e-9, ""},
+      {Measure::forward_velocity, "Forward velocity returns the twist", "twist solved from the actuator rates, relative", 1e-7, ""},
+      {Measure::difference_rate, "Derivatives are exact",
+       "rates of every body and joint against eighth-order differences in extended precision, relative", 1e-11, ""}};
+  if (!a.machine().topology().matrices.empty())
+    claims.push_back(
+        {Measure::source, "The source's matrices hold", "its relations with the rates by differentiation, relative", 1e-9, ""});
+  s.blocks.push_back(proof(a, claims));
   return s;
 }
 

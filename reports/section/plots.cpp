@@ -42,7 +42,7 @@ std::vector<Curve> group(const Analysis& a, const std::string& section, const st
   std::vector<Curve> out;
   const bool vector = name == "velocity" || name == "angular_velocity" || name == "acceleration" || name == "angular_acceleration";
   for (const Column& c : mechanics::columns_of(section, a.machine().topology())) {
-    if (c.group != name || (!unit.empty() && c.unit != unit)) continue;
+    if (c.group != name || (!unit.empty() && c.unit != (unit == "1" ? "" : unit))) continue;
     std::string stem = vector ? c.name.substr(c.name.size() - 1) : c.name;  // a vector's components are labelled by their axes
     for (const std::string_view suffix : {"_rate", "_acceleration", "_force", "_deflection", "_angle"})
       if (stem.ends_with(suffix)) stem.resize(stem.size() - suffix.size());

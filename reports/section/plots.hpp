@@ -16,7 +16,8 @@ struct Curve {
 // A panel of columns with one SI unit, scaled to the unit that reads best; samples that break a limit are shaded, gaps kept.
 figure::Panel panel(const Analysis& a, const std::string& title, const std::string& axis, const std::string& unit,
                     const std::vector<Curve>& curves);
-// The curves of a group of columns, labelled by the symbols of their quantities: "l1_rate" by l₁.
+// The curves of a group of columns, labelled by the symbols of their quantities: "l1_rate" by l₁. `unit`: only those of it, "1" those
+// without one; empty: all.
 std::vector<Curve> group(const Analysis& a, const std::string& section, const std::string& name, const std::string& unit = "");
 // Smallest and largest value of columns and when, as a table.
 document::Table extremes(const Analysis& a, const std::string& caption, const std::vector<mechanics::Column>& columns);

@@ -25,6 +25,10 @@ void set(Row& row, Measure m, double value) {
 Condition SampleWork::run(int sample, int previous, Row& row, const Put& put) {
   const scenario::Motion& motion = scenario_.motion;
   const Eigen::VectorXd q = motion.value.row(sample), rate = motion.rate.row(sample), acceleration = motion.acceleration.row(sample);
+  if (!q.allFinite()) {
+    state_.why = "the motion " + motion.ending;
+    return Condition::unreachable;
+  }
   evaluate(machine_, q.data(), rate.data(), acceleration.data(), state_);
   if (state_.status == PM_UNREACHABLE) return Condition::unreachable;
   if (state_.status != PM_OK) return Condition::failed;
@@ -58,6 +62,12 @@ void SampleWork::kinematics(const Put& put, const mechanics::ClosedForm& c) {
     put("acceleration" + axis, platform().acceleration(i));
     put("angular_acceleration" + axis, platform().angular_acceleration(i));
   }
+  if (!t.readings.empty()) {
+    std::vector<double> q;
+    for (const mechanics::Scalar& x : state_.coordinates) q.push_back(x.value);
+    const std::vector<double> readings = machine_.readings(q, machine_.pose(q));
+    for (std::size_t i = 0; i < readings.size(); ++i) put(t.readings[i].name, readings[i]);
+  }
   put("det_G", c.determinant);
   put("condition", c.condition);
   for (std::size_t i = 0; i < t.joints.size(); ++i) {
@@ -84,6 +94,7 @@ void SampleWork::residuals(Row& row, const mechanics::ClosedForm& c, const mecha
     set(row, Measure::forward_velocity, relative(largest_of(forward_velocity(c, rates) - twist), v_scale));
     set(row, Measure::forward_acceleration, relative(largest_of(forward_acceleration(c, accelerations, twist) - twist_rate), a_scale));
   }
+  if (!machine_.topology().matrices.empty()) set(row, Measure::source, source_deviation(machine_, state_).value);
   const mechanics::Deviation d = jets_against_differences(machine_, state_);
   if (d.reachable) {
     set(row, Measure::difference_rate, d.rate);
@@ -95,7 +106,9 @@ void SampleWork::residuals(Row& row, const mechanics::ClosedForm& c, const mecha
 // pose, beyond which another assembly mode has the same actuator values.
 double SampleWork::round_trip(int sample, int previous, double condition) {
   const auto unit = [&](int i) { return machine_.topology().coordinates[static_cast<std::size_t>(i)].unit == "m" ? length_ : 1.0; };
-  const Eigen::VectorXd q = scenario_.motion.value.row(sample), neighbour = scenario_.motion.value.row(previous);
+  const Eigen::VectorXd q = scenario_.motion.value.row(sample);
+  Eigen::VectorXd neighbour = scenario_.motion.value.row(previous);
+  if (!neighbour.allFinite()) neighbour = q;
   const double allowed = std::min(0.1, 1 / condition);
   double far = 0;
   for (int i = 0; i < q.size(); ++i) far = std::max(far, std::abs(neighbour(i) - q(i)) / (allowed * unit(i)));

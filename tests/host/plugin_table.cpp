@@ -15,7 +15,7 @@ pm_status create(const pm_value*, std::size_t, pm_instance**, pm_text*) { return
 void destroy(pm_instance*) {}
 pm_status topology(const pm_instance*, pm_topology*, pm_text*) { return PM_FAILED; }
 pm_status numbers(const pm_instance*, pm_order, std::size_t, const double*, double*, pm_text*) { return PM_FAILED; }
-pm_status matrices(const pm_instance*, const double*, const double*, double*, pm_text*) { return PM_FAILED; }
+pm_status at_pose(const pm_instance*, const double*, const double*, double*, pm_text*) { return PM_FAILED; }
 pm_status listing(const pm_instance*, pm_list*, pm_text*) { return PM_FAILED; }
 
 // A sound table with one parameter of each kind, of which a test spoils one part.
@@ -33,7 +33,7 @@ struct Table {
   pm_statics statics{sizeof(pm_statics), listing, numbers};
   pm_dynamics dynamics{sizeof(pm_dynamics), listing};
   pm_appearance appearance{sizeof(pm_appearance), listing};
-  pm_closed_forms closed_forms{sizeof(pm_closed_forms), listing, matrices};
+  pm_closed_forms closed_forms{sizeof(pm_closed_forms), listing, at_pose, listing, at_pose};
   pm_mechanism mechanism{sizeof(pm_mechanism),
                          "4sps-spr",
                          "title",
@@ -146,6 +146,8 @@ TEST_CASE("one fault makes a table unsound, and the sentence names it") {
       {"the table closed_forms of at least", [](Table& t) { t.closed_forms.struct_size -= 1; }},
       {"the function closed_forms.matrices", [](Table& t) { t.closed_forms.matrices = nullptr; }},
       {"the function closed_forms.evaluate", [](Table& t) { t.closed_forms.evaluate = nullptr; }},
+      {"the function closed_forms.readings", [](Table& t) { t.closed_forms.readings = nullptr; }},
+      {"the function closed_forms.read", [](Table& t) { t.closed_forms.read = nullptr; }},
       {"the function appearance.shapes", [](Table& t) { t.appearance.shapes = nullptr; }},
       {"a list of parameters, seen a null pointer", [](Table& t) { t.mechanism.parameters.items = nullptr; }},
       {"a stride of the parameters of at least",
