@@ -1,0 +1,38 @@
+// The P(2PRPU)/PRPS as its tests meet it.
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <core/mechanics/state.hpp>
+#include <tests/plugins/plugin.hpp>
+
+namespace pmreport::test {
+
+inline const pm_mechanism& p2prpu_prps() { return plugin("p2prpu-prps"); }
+
+// At x y z alpha beta, at rest unless told otherwise.
+inline mechanics::State state_at(const mechanics::Machine& machine, const Eigen::VectorXd& q,
+                                 const Eigen::VectorXd& rate = Eigen::VectorXd::Zero(5),
+                                 const Eigen::VectorXd& acceleration = Eigen::VectorXd::Zero(5)) {
+  mechanics::State s;
+  mechanics::evaluate(machine, q.data(), rate.data(), acceleration.data(), s);
+  REQUIRE(s.status == PM_OK);
+  return s;
+}
+
+// Value, rate or acceleration of scalars, as a vector.
+inline Eigen::VectorXd values(const std::vector<mechanics::Scalar>& of, double mechanics::Scalar::*part = &mechanics::Scalar::value) {
+  Eigen::VectorXd v(static_cast<Eigen::Index>(of.size()));
+  for (std::size_t i = 0; i < of.size(); ++i) v(static_cast<Eigen::Index>(i)) = of[i].*part;
+  return v;
+}
+
+// What the mechanism reads at a pose, by name.
+inline double reading(const mechanics::Machine& machine, const Eigen::VectorXd& q, const std::string& name) {
+  const std::span<const double> at{q.data(), 5};
+  const auto& readings = machine.topology().readings;
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (readings[i].name == name) return machine.readings(at, machine.pose(at))[i];
+  throw std::out_of_range("no reading is called " + name);
+}
+
+}  // namespace pmreport::test
