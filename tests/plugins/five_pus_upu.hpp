@@ -1,0 +1,36 @@
+// The 5PUS-UPU as its tests meet it.
+#pragma once
+
+#include <core/mechanics/generic_model.hpp>
+#include <tests/plugins/plugin.hpp>
+#include <tests/plugins/reference.hpp>
+
+namespace pmreport::test {
+
+inline const pm_mechanism& five_pus_upu() { return plugin("5pus-upu"); }
+
+using Changes = std::map<std::string, std::vector<double>>;
+
+// Changes of the parameters for what the reference calls a model.
+inline Changes model(const std::string& name) {
+  return {{"constraint", {choice(five_pus_upu(), "constraint", name == "ideal_gamma0" ? "ideal" : "upu")}}};
+}
+
+inline mechanics::State state_at(const mechanics::Machine& machine, const Eigen::VectorXd& pose,
+                                 const Eigen::VectorXd& rates = Eigen::VectorXd::Zero(5),
+                                 const Eigen::VectorXd& accelerations = Eigen::VectorXd::Zero(5)) {
+  mechanics::State s;
+  mechanics::evaluate(machine, pose.data(), rates.data(), accelerations.data(), s);
+  REQUIRE(s.status == PM_OK);
+  return s;
+}
+
+// Centres of the balls S1 to S5, one below the other.
+inline Eigen::VectorXd balls(const mechanics::Machine& machine, const mechanics::State& s) {
+  Eigen::VectorXd all(15);
+  for (int i = 0; i < 5; ++i)
+    all.segment<3>(3 * i) = s.joints[static_cast<std::size_t>(joint_named(machine, "S" + std::to_string(i + 1)))].centre;
+  return all;
+}
+
+}  // namespace pmreport::test
