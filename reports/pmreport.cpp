@@ -1,9 +1,11 @@
 // The program: scenario in, report out.
 #include <core/host/catalog.hpp>
-#include <core/mechanics/properties.hpp>
 #include <core/scenario/scenario.hpp>
 #include <reports/document/report.hpp>
+#include <reports/program/check.hpp>
+#include <reports/program/classify.hpp>
 #include <reports/program/describe.hpp>
+#include <reports/program/scaffold.hpp>
 #include <reports/program/worker.hpp>
 #include <reports/section/section.hpp>
 
@@ -13,6 +15,7 @@
 
 #include <fcntl.h>
 #include <unistd.h>
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
@@ -148,14 +151,46 @@ int describe(const Options& options, const std::string& name, bool json) {
   return all_well;
 }
 
-int check(const Options& options, const std::string& name, int poses) {
-  const host::Catalog catalog(host::search_folders(options.plugin_path));
-  bool passed = true;
-  for (const pm_mechanism* m : mechanisms_named(catalog, name)) {
-    const mechanics::Machine machine(*m, default_values(mechanics::describe(*m)));
-    passed = program::print_properties(machine, poses) && passed;
+// One mechanism that cannot be made is the answer where it is alone; among several it is told, and the others are checked.
+int check(const Options& options, const std::vector<std::string>& names, bool all, int poses) {
+  if (names.empty() && !all) {
+    tell("error: check expects a mechanism, several, or --all\n");
+    return bad_scenario;
   }
-  return passed ? all_well : gate_failed;
+  const host::Catalog catalog(host::search_folders(options.plugin_path));
+  std::vector<const pm_mechanism*> chosen;
+  if (all) {
+    tell_refused(catalog);
+    for (const host::Entry& e : catalog.entries()) chosen.push_back(e.mechanism);
+  }
+  for (const std::string& name : names)
+    for (const pm_mechanism* m : mechanisms_named(catalog, name)) chosen.push_back(m);
+  if (chosen.empty()) throw host::PluginError("no mechanism was found to check; pmreport list tells where plugins are searched");
+  std::vector<program::Checked> checked;
+  bool broken = false;
+  for (const pm_mechanism* m : chosen) try {
+      const mechanics::Machine machine(*m, default_values(mechanics::describe(*m)));
+      if (!checked.empty()) fmt::print("\n");
+      checked.push_back(program::print_properties(machine, poses));
+    } catch (const mechanics::MechanismError& e) {
+      if (chosen.size() == 1) throw;
+      tell("error: {}: {}\n", m->name, e.what());
+      broken = true;
+    }
+  if (chosen.size() > 1) program::print_table(checked);
+  if (broken) return plugin_failed;
+  return std::ranges::all_of(checked, &program::Checked::all_passed) ? all_well : gate_failed;
+}
+
+int new_mechanism(const Options& options, const std::string& name, const std::string& folder) {
+  if (const std::string fault = program::fault_of_name(name); !fault.empty()) throw program::ScaffoldError(fault);
+  const host::Catalog catalog(host::search_folders(options.plugin_path));
+  if (const host::Entry* e = catalog.find(name))
+    throw program::ScaffoldError(fmt::format("there is a mechanism '{}' already, {}; choose another name", name, e->file.string()));
+  const fs::path made = program::write_scaffold(name, folder);
+  fmt::print("{}: mechanism.cpp, CMakeLists.txt, scenario.toml; README.md tells the three commands that build, check and report\n",
+             made.string());
+  return all_well;
 }
 
 // Runs `f` and turns every error into a sentence on stderr and the exit status that README.md promises.
@@ -166,6 +201,9 @@ int guarded(F&& f) {
   } catch (const scenario::ScenarioError& e) {
     for (const scenario::Diagnostic& d : e.diagnostics) tell("{}\n", to_string(d));
     if (e.diagnostics.size() > 1) tell("{} errors\n", e.diagnostics.size());
+    return bad_scenario;
+  } catch (const program::ScaffoldError& e) {
+    tell("error: {}\n", e.what());
     return bad_scenario;
   } catch (const host::PluginError& e) {
     tell("error: {}\n", e.what());
@@ -200,8 +238,9 @@ int main(int argc, char** argv) {
   CLI::App app("pmreport: reports about parallel manipulators that an engineer can believe", "pmreport");
   app.set_version_flag("--version", std::string("pmreport ") + PMREPORT_VERSION);
   Options options;
-  std::string name;
-  bool json = false;
+  std::string name, folder;
+  std::vector<std::string> names;
+  bool json = false, check_all = false;
   int poses = 1000;
   app.add_option("scenario", options.scenario, "scenario to report on, a TOML file");
   app.add_option("-o,--out", options.out, "folder of the report (default: the scenario's name with -report, here)");
@@ -216,10 +255,18 @@ int main(int argc, char** argv) {
   CLI::App* describe_command = app.add_subcommand("describe", "describe a mechanism: coordinates, actuators, parameters, joints");
   describe_command->add_option("name", name, "mechanism, or the path of a plugin library")->required();
   describe_command->add_flag("--json", json, "for programs");
-  CLI::App* check_command = app.add_subcommand("check", "run the property suite over a mechanism");
-  check_command->add_option("name", name, "mechanism, or the path of a plugin library")->required();
+  CLI::App* check_command = app.add_subcommand("check", "run the property suite over mechanisms");
+  check_command->add_option("name", names, "mechanisms, or the paths of plugin libraries");
+  check_command->add_flag("--all", check_all, "every mechanism found");
   check_command->add_option("--poses", poses, "random poses (default 1000)")->check(CLI::Range(0, 1000000));
-  for (CLI::App* c : {list_command, describe_command, check_command}) c->fallthrough();
+  CLI::App* new_command = app.add_subcommand("new", "begin something of one's own")->require_subcommand(1);
+  CLI::App* new_mechanism_command = new_command->add_subcommand("mechanism", "write a folder with a small mechanism that builds and runs");
+  new_mechanism_command->add_option("name", name, "of the mechanism: lower-case letters, digits, dashes")->required();
+  new_mechanism_command->add_option("--folder", folder, "where its folder is made (default: here)");
+  CLI::App* classify_command = app.add_subcommand("classify", "list the class of parallel-cross mechanisms");
+  classify_command->add_flag("--json", json, "for programs");
+  for (CLI::App* c : {list_command, describe_command, check_command, new_command, new_mechanism_command, classify_command})
+    c->fallthrough();
 
   try {
     app.parse(argc, argv);
@@ -233,9 +280,14 @@ int main(int argc, char** argv) {
   if (options.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
 
   const int status = guarded([&] {
+    if (*classify_command) {
+      fmt::print("{}", json ? program::classify_json() : program::classify_text());
+      return static_cast<int>(all_well);
+    }
     if (*list_command) return list(options);
     if (*describe_command) return describe(options, name, json);
-    if (*check_command) return check(options, name, poses);
+    if (*check_command) return check(options, names, check_all, poses);
+    if (*new_mechanism_command) return new_mechanism(options, name, folder);
     if (options.scenario.empty()) {
       tell("{}", app.help());
       return static_cast<int>(bad_scenario);

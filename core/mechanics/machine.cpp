@@ -43,12 +43,29 @@ void demand(bool condition, const std::string& sentence) {
   if (!condition) throw MechanismError(PM_FAILED, sentence);
 }
 
+// Every body hangs on the base by a chain of joints.
+void check_connected(const Topology& t) {
+  std::vector<bool> held(t.bodies.size(), false);
+  held[0] = true;
+  for (std::size_t pass = 1; pass < held.size(); ++pass)
+    for (const Joint& j : t.joints) {
+      const auto a = static_cast<std::size_t>(j.a), b = static_cast<std::size_t>(j.b);
+      held[a] = held[b] = held[a] || held[b];
+    }
+  std::string loose;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (!held[i]) loose += (loose.empty() ? "" : ", ") + t.bodies[i].name;
+  demand(loose.empty(), "no chain of joints leads from the base to: " + loose + "; is a joint, or a limb, forgotten?");
+}
+
 // Indices in range, ranges in order, counts that fit: a plugin's slip is told by name instead of showing later as a wrong number.
 void check(const Topology& t, int dof) {
   const auto count = [](const auto& list) { return static_cast<int>(list.size()); };
   demand(count(t.coordinates) == dof,
-         fmt::format("declares {} degrees of freedom, but {} independent coordinates", dof, count(t.coordinates)));
-  demand(count(t.actuators) == dof, fmt::format("declares {} degrees of freedom, but {} actuators", dof, count(t.actuators)));
+         fmt::format("declares {} degrees of freedom, but {} independent coordinates; Mechanism<{}> and topology() must say the same", dof,
+                     count(t.coordinates), dof));
+  demand(count(t.actuators) == dof,
+         fmt::format("declares {} degrees of freedom, but {} actuators; is a limb forgotten?", dof, count(t.actuators)));
   demand(count(t.constraints) == 6 - dof,
          fmt::format("declares {} constraint wrenches, expected {} (6 less the degrees of freedom)", count(t.constraints), 6 - dof));
   demand(t.platform > 0 && t.platform < count(t.bodies),
@@ -71,6 +88,7 @@ void check(const Topology& t, int dof) {
     if (j.kind == JointKind::spherical)
       demand(j.stud == j.a || j.stud == j.b, fmt::format("joint {}: its stud is body {}, which it does not connect", j.name, j.stud));
   }
+  check_connected(t);
   for (const Actuator& a : t.actuators) {
     demand(a.joint >= 0 && a.joint < count(t.joints), fmt::format("actuator {}: joint {} does not exist", a.name, a.joint));
     demand(a.unit == "m" || a.unit == "rad", fmt::format("actuator {}: unit \"{}\", expected \"m\" or \"rad\"", a.name, a.unit));

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <core/mechanics/closed_form.hpp>
 #include <core/mechanics/closure.hpp>
+#include <core/mechanics/diagnosis.hpp>
 #include <core/mechanics/differences.hpp>
 #include <core/mechanics/displacement.hpp>
 #include <core/mechanics/generic_model.hpp>
@@ -90,6 +91,13 @@ class Suite {
       p.where = where;
     }
   }
+  // Where it fails, what to look at is added.
+  template <class Diagnosis>
+  void note(Property& p, double deviation, const std::string& where, Diagnosis&& diagnosis) {
+    if (deviation <= p.worst) return;
+    note(p, deviation, where);
+    if (!p.passed()) p.where += ": " + diagnosis();
+  }
   std::string at(const std::string& what) const { return what.empty() ? label_ : what + " at " + label_; }
   std::string describe(const VectorXd& q) const {
     std::string s;
@@ -112,9 +120,7 @@ class Suite {
              (machine_.topology().coordinates[static_cast<std::size_t>(i)].unit == "m" ? length_ : 1.0);
     return v;
   }
-  std::string joint_name(int joint) const {
-    return joint < 0 ? "" : "joint " + machine_.topology().joints[static_cast<std::size_t>(joint)].name;
-  }
+  std::string joint_name(int joint) const { return joint < 0 ? "" : in_words(machine_, joint); }
 
   void pose() {
     const Topology& t = machine_.topology();
@@ -128,38 +134,46 @@ class Suite {
                                 1.0);
       off = t.bodies[i].slender ? z
                                 : (r.transpose() * r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() + std::abs(r.determinant() - 1.0);
-      note(*units_, off, at("body " + t.bodies[i].name));
+      note(*units_, off, at(""), [&] { return about_body(machine_, state_, static_cast<int>(i)); });
     }
     for (std::size_t i = 0; i < t.joints.size(); ++i)
       for (int k = 0; k < axes_of(t.joints[i].kind); ++k)
-        note(*units_, std::abs(state_.joints[i].axis[k].norm() - 1.0), at("an axis of joint " + t.joints[i].name));
+        note(*units_, std::abs(state_.joints[i].axis[k].norm() - 1.0), at(""),
+             [&] { return about_axis(machine_, state_, static_cast<int>(i), k); });
 
     const ClosureError e = closure_.error(state_.bodies);
-    note(*gap_, e.gap, at(joint_name(e.gap_joint)));
-    note(*turn_, e.misalignment, at(joint_name(e.misalignment_joint)));
+    note(*gap_, e.gap, at(joint_name(e.gap_joint)), [&] { return about_gap(machine_, state_, e.gap_joint, e.gap); });
+    note(*turn_, e.misalignment, at(joint_name(e.misalignment_joint)),
+         [&] { return about_misalignment(machine_, e.misalignment_joint, e.misalignment); });
 
     const GenericModel model = generic_model(machine_, state_);
     const VectorXd v = stacked_twists(state_), a = stacked_twist_rates(state_);
     const double v_scale = std::max(v.lpNorm<Eigen::Infinity>(), 1e-6), a_scale = std::max(a.lpNorm<Eigen::Infinity>(), v_scale * v_scale);
     const VectorXd wrong_v = model.constraints * v, wrong_a = model.constraints * a + model.bias;
     for (int r = 0; r < wrong_v.size(); ++r) {
-      const std::string joint = joint_name(model.joint_of_row[static_cast<std::size_t>(r)]);
-      if (!(std::abs(wrong_v(r)) / v_scale <= velocity_->worst)) note(*velocity_, std::abs(wrong_v(r)) / v_scale, at(joint));
-      if (!(std::abs(wrong_a(r)) / a_scale <= acceleration_->worst)) note(*acceleration_, std::abs(wrong_a(r)) / a_scale, at(joint));
+      const int joint = model.joint_of_row[static_cast<std::size_t>(r)];
+      const double v_share = std::abs(wrong_v(r)) / v_scale, a_share = std::abs(wrong_a(r)) / a_scale;
+      if (!(v_share <= velocity_->worst))
+        note(*velocity_, v_share, at(joint_name(joint)), [&] { return about_forbidden_motion(machine_, joint, v_share); });
+      if (!(a_share <= acceleration_->worst))
+        note(*acceleration_, a_share, at(joint_name(joint)), [&] { return about_forbidden_motion(machine_, joint, a_share); });
     }
     const VectorXd driven = model.actuation * v;
     for (int i = 0; i < driven.size(); ++i)
-      note(*drives_, std::abs(driven(i) - state_.actuators[static_cast<std::size_t>(i)].rate) / v_scale,
-           at("actuator " + t.actuators[static_cast<std::size_t>(i)].name));
+      note(*drives_, std::abs(driven(i) - state_.actuators[static_cast<std::size_t>(i)].rate) / v_scale, at(""),
+           [&] { return about_drive(machine_, state_, i, driven(i)); });
 
     const ClosedForm c = closed_form(machine_, state_, length_);
     const BodyState& platform = state_.bodies[static_cast<std::size_t>(t.platform)];
-    note(*jacobian_, (c.jacobian * platform.twist() - actuator_rates(state_)).lpNorm<Eigen::Infinity>() / v_scale, at(""));
-    note(*jacobian_rate_,
-         (c.jacobian * platform.twist_rate() + c.jacobian_rate * platform.twist() - actuator_accelerations(state_))
-                 .lpNorm<Eigen::Infinity>() /
-             a_scale,
-         at(""));
+    const auto worst_row = [this](const Vector6d& off) {
+      Eigen::Index row = 0;
+      off.cwiseAbs().maxCoeff(&row);
+      return about_row(machine_, static_cast<int>(row));
+    };
+    const Vector6d off_v = c.jacobian * platform.twist() - actuator_rates(state_);
+    const Vector6d off_a = c.jacobian * platform.twist_rate() + c.jacobian_rate * platform.twist() - actuator_accelerations(state_);
+    note(*jacobian_, off_v.lpNorm<Eigen::Infinity>() / v_scale, at(""), [&] { return worst_row(off_v); });
+    note(*jacobian_rate_, off_a.lpNorm<Eigen::Infinity>() / a_scale, at(""), [&] { return worst_row(off_a); });
 
     const Deviation d = jets_against_differences(machine_, state_);
     if (d.reachable) {
@@ -237,9 +251,8 @@ class Suite {
     evaluate(machine_, q.data(), zero.data(), zero.data(), s);
     if (s.status != PM_OK) return;
     const Mobility m = mobility(machine_, s);
-    note(*mobility_, std::abs(m.freedoms - machine_.dof()) + std::abs(m.idle - machine_.topology().idle),
-         fmt::format("found {} degrees of freedom and {} idle, declared {} and {}", m.freedoms, m.idle, machine_.dof(),
-                     machine_.topology().idle));
+    note(*mobility_, std::abs(m.freedoms - machine_.dof()) + std::abs(m.idle - machine_.topology().idle), describe(q),
+         [&] { return about_mobility(machine_, s, m); });
   }
 
   void limits() {

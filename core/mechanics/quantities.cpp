@@ -17,8 +17,8 @@ std::vector<Quantity> quantities_of(std::string_view section, std::size_t poses)
             {"mobility.rotations", "", "independent rotations of the platform"}};
   if (section == "singularity") {
     std::vector<Quantity> out{{"singularity.crossings", "", "singular surfaces crossed by the motion"},
-                              {"singularity.smallest_singular_value", "", "smallest singular value of G along the motion"},
-                              {"singularity.largest_condition", "", "largest condition number along the motion"},
+                              {"singularity.smallest_singular_value", "", "smallest singular value of G along the motion", false},
+                              {"singularity.largest_condition", "", "largest condition number along the motion", false},
                               {"singularity.line_rank", "", "rank of the actuation lines at the worst pose of the motion"},
                               {"singularity.wrench_rank", "", "rank of the whole wrench system at the worst pose of the motion"}};
     for (std::size_t i = 1; i <= poses; ++i) {
@@ -31,12 +31,14 @@ std::vector<Quantity> quantities_of(std::string_view section, std::size_t poses)
   if (section == "assembly")
     return {{"assembly.modes", "", "real assembly modes"},
             {"assembly.own_working_mode", "", "real assembly modes in the working mode of the scenario"},
-            {"assembly.nearest", "m", "least distance along the motion to another assembly mode"}};
+            {"assembly.nearest", "m", "least distance along the motion to another assembly mode", false}};
   if (section == "classification")
     return {{"classification.by_rule", "", "schemes that the rule admits"},
             {"classification.base_schemes", "", "base schemes of Table 1"},
             {"classification.six_chains", "", "schemes with six chains of Table 2"}};
   return {};
 }
+
+std::vector<std::string> sections_with_quantities() { return {"mobility", "singularity", "assembly", "classification"}; }
 
 }  // namespace pmreport::mechanics

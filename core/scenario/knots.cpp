@@ -41,12 +41,20 @@ std::optional<std::filesystem::path> resolve(const std::string& given, Place pla
 
 }  // namespace
 
-std::optional<Knots> read_waypoints(const Entry& waypoints, bool quintic, const Topology& topology, const Reader& reader) {
+std::optional<Curves> read_waypoints(const Entry& waypoints, bool quintic, const Movables& movables, const Reader& reader) {
   Diagnostics& diagnostics = reader.diagnostics();
   const auto tables = tables_of(&waypoints, "motion.waypoint", reader);
   if (tables.empty()) return std::nullopt;
-  const std::size_t dof = topology.coordinates.size();
-  Knots out;
+  std::vector<Named> names;
+  for (const Value* waypoint : tables)
+    for (const Entry& e : waypoint->entries) names.push_back({e.key, e.place});
+  const auto kind = prescribed(names, movables, false, [&](Place place, const std::string& message, const std::string& hint) {
+    diagnostics.add(place, message, hint);
+  });
+  if (!kind) return std::nullopt;
+  const std::vector<Moved>& moved = *kind->moved;
+  const std::size_t dof = moved.size();
+  Curves out{kind->by_actuators, {}, {}};
   std::vector<std::vector<double>> values(dof);
   bool sound = true;
   for (const Value* waypoint : tables) {
@@ -63,11 +71,10 @@ std::optional<Knots> read_waypoints(const Entry& waypoints, bool quintic, const 
       sound = false;
     }
     if (time) out.times.push_back(*time);
-    for (std::size_t j = 0; j < dof; ++j) {  // a coordinate left out keeps its last value, at first that of home
-      const Coordinate& c = topology.coordinates[j];
-      const Entry* e = table.find(c.name);
-      const double before = values[j].empty() ? c.home : values[j].back();
-      const auto value = e != nullptr ? reader.quantity(e->value, parse_unit(c.unit)->dimension) : std::optional(before);
+    for (std::size_t j = 0; j < dof; ++j) {  // one left out keeps its last value, at first that of home
+      const Entry* e = table.find(moved[j].name);
+      const double before = values[j].empty() ? moved[j].home : values[j].back();
+      const auto value = e != nullptr ? reader.quantity(e->value, parse_unit(moved[j].unit)->dimension) : std::optional(before);
       sound = sound && value.has_value();
       values[j].push_back(value.value_or(before));
     }
@@ -79,7 +86,7 @@ std::optional<Knots> read_waypoints(const Entry& waypoints, bool quintic, const 
   }
   if (!sound) return std::nullopt;
   for (std::size_t j = 0; j < dof; ++j) {
-    const std::string& name = topology.coordinates[j].name;
+    const std::string& name = moved[j].name;
     const bool moves = std::any_of(values[j].begin(), values[j].end(), [&](double v) { return v != values[j].front(); });
     const std::string description = !moves ? fmt::format("{}: constant", name)
                                     : quintic
@@ -90,8 +97,8 @@ std::optional<Knots> read_waypoints(const Entry& waypoints, bool quintic, const 
   return out;
 }
 
-std::optional<Knots> read_motion_file(const Entry& entry, bool quintic, const Topology& topology, const std::filesystem::path& scenario,
-                                      const Reader& reader) {
+std::optional<Curves> read_motion_file(const Entry& entry, bool quintic, const Movables& movables, const std::filesystem::path& scenario,
+                                       const Reader& reader) {
   Diagnostics& diagnostics = reader.diagnostics();
   const auto given = reader.text(entry.value);
   const auto path = given ? resolve(*given, entry.value.place, scenario, diagnostics) : std::nullopt;
@@ -105,22 +112,26 @@ std::optional<Knots> read_motion_file(const Entry& entry, bool quintic, const To
     diagnostics.add(Diagnostic{shown, place.line, place.column, message, {}, hint});
     sound = false;
   };
-  std::vector<std::string> known{"t"};
-  for (const Coordinate& c : topology.coordinates) known.push_back(c.name);
+  std::vector<Named> names;
+  std::vector<std::string> all{"t"};
+  for (const NumberColumn& column : table->columns) names.push_back({column.name, column.place});
+  for (const std::vector<Moved>* list : {&movables.coordinates, &movables.actuators})
+    for (const Moved& m : *list) all.push_back(m.name);
+  const auto kind = prescribed(names, movables, false, refuse);
+  if (!kind) return std::nullopt;
+  const std::vector<Moved>& moved = *kind->moved;
   NumberColumn* time = nullptr;
-  std::vector<NumberColumn*> columns(topology.coordinates.size(), nullptr);
+  std::vector<NumberColumn*> columns(moved.size(), nullptr);
   for (NumberColumn& column : table->columns) {
-    const auto found = std::find(known.begin(), known.end(), column.name);
-    if (found == known.end()) {
-      refuse(column.place, fmt::format("unknown column {}{}", in_quotes(column.name), did_you_mean(column.name, known)),
-             fmt::format("the columns are {}", listed(known, "and")));
+    const bool is_time = column.name == "t";
+    const auto found = std::find_if(moved.begin(), moved.end(), [&](const Moved& m) { return m.name == column.name; });
+    if (!is_time && found == moved.end()) {
+      refuse(column.place, fmt::format("unknown column {}{}", in_quotes(column.name), did_you_mean(column.name, all)),
+             fmt::format("the columns are {}", listed(all, "and")));
       continue;
     }
-    const bool is_time = found == known.begin();
-    NumberColumn*& slot = is_time ? time : columns[static_cast<std::size_t>(found - known.begin()) - 1];
-    const Dimension expected = is_time
-                                   ? Dimension{0, 0, 1, 0}
-                                   : parse_unit(topology.coordinates[static_cast<std::size_t>(found - known.begin()) - 1].unit)->dimension;
+    NumberColumn*& slot = is_time ? time : columns[static_cast<std::size_t>(found - moved.begin())];
+    const Dimension expected = is_time ? Dimension{0, 0, 1, 0} : parse_unit(found->unit)->dimension;
     if (slot != nullptr) refuse(column.place, fmt::format("column {} stands here twice", column.name));
     if (column.unit.dimension != expected)
       refuse(column.place, fmt::format("expected {} in column {}, seen the unit {} of {}", name_of(expected), column.name,
@@ -136,9 +147,9 @@ std::optional<Knots> read_motion_file(const Entry& entry, bool quintic, const To
       refuse({table->lines[i], 1}, fmt::format("expected a time after the row before, {} s, seen {} s",
                                                format_number(time->values[i - 1], 9), format_number(time->values[i], 9)));
   if (!sound) return std::nullopt;
-  Knots out{time->values, {}};
+  Curves out{kind->by_actuators, time->values, {}};
   for (std::size_t j = 0; j < columns.size(); ++j) {
-    const Coordinate& c = topology.coordinates[j];
+    const Moved& c = moved[j];
     if (columns[j] == nullptr) {
       out.curves.push_back(
           {c.name, entry.value.place, [home = c.home](double) { return Jet<double>(home); }, fmt::format("{}: home", c.name)});

@@ -18,50 +18,25 @@ std::string estimate(double samples) {
                      format_number(hours, 2));
 }
 
-std::optional<std::size_t> read_samples(const Value& v, const Reader& reader) {
+// 0, told, when it is no number of samples.
+std::size_t read_samples(const Value& v, const Reader& reader) {
   if (v.kind != Value::Kind::integer) {
     if (v.kind != Value::Kind::refused) reader.diagnostics().add(v.place, "expected a whole number of samples, seen " + name_of(v));
-    return std::nullopt;
+    return 0;
   }
   const bool many = v.number > static_cast<double>(max_samples);
   if (v.number >= 2 && !many) return static_cast<std::size_t>(v.number);
   reader.diagnostics().add(
       v.place, fmt::format("expected 2 to {} samples, seen {}{}", max_samples, v.number, many ? "; " + estimate(v.number) : ""));
-  return std::nullopt;
+  return 0;
 }
 
-Curve at_home(const Coordinate& c) {
-  const double home = c.home;
-  const DisplayUnit unit = display_unit(c.unit, home);
-  return {c.name,
-          {},
-          [home](double) { return Jet<double>(home); },
-          fmt::format("{} = {}{}{} (home)", c.name, format_number(home * unit.per_si, 6), unit.label == "°" ? "" : " ", unit.label)};
-}
-
-// One expression for each coordinate; one without stays at home.
-std::vector<Curve> read_expressions(TableReader& table, const Topology& topology) {
-  std::vector<Curve> out;
-  for (const Coordinate& c : topology.coordinates) {
-    const Entry* e = table.find(c.name);
-    if (e == nullptr) {
-      out.push_back(at_home(c));
-      continue;
-    }
-    auto written = table.read().expression(e->value, parse_unit(c.unit)->dimension, Time::allowed);
-    if (!written) continue;
-    const std::string description = fmt::format("{} = {}", c.name, printable(written->text));
-    out.push_back(
-        {c.name, written->place, [expression = std::move(written->expression)](double t) { return expression.at(t); }, description});
-  }
-  return out;
-}
-
-void refuse_expressions(const Value& table, const Topology& topology, const char* instead, Diagnostics& diagnostics) {
+void refuse_expressions(const Value& table, const Movables& movables, const char* instead, Diagnostics& diagnostics) {
   for (const Entry& e : table.entries)
-    for (const Coordinate& c : topology.coordinates)
-      if (e.key == c.name)
-        diagnostics.add(e.place, fmt::format("{} is given twice: here and by the {}", c.name, instead), "keep one of the two");
+    for (const std::vector<Moved>* list : {&movables.coordinates, &movables.actuators})
+      for (const Moved& m : *list)
+        if (without_rate(e.key) == m.name)
+          diagnostics.add(e.place, fmt::format("{} is given twice: here and by the {}", m.name, instead), "keep one of the two");
 }
 
 std::vector<double> uniform(const Interval& interval, std::size_t samples) {
@@ -72,8 +47,10 @@ std::vector<double> uniform(const Interval& interval, std::size_t samples) {
   return time;
 }
 
-Motion sampled(const std::vector<Curve>& curves, std::vector<double> time, Diagnostics& diagnostics) {
+// Nothing, told, where a curve has no finite value, rate or acceleration.
+std::optional<Motion> sampled(const std::vector<Curve>& curves, std::vector<double> time, Diagnostics& diagnostics) {
   Motion out;
+  bool sound = true;
   const auto rows = static_cast<Eigen::Index>(time.size()), columns = static_cast<Eigen::Index>(curves.size());
   for (Eigen::MatrixXd* m : {&out.value, &out.rate, &out.acceleration}) m->resize(rows, columns);
   for (Eigen::Index j = 0; j < columns; ++j) {
@@ -82,10 +59,14 @@ Motion sampled(const std::vector<Curve>& curves, std::vector<double> time, Diagn
     for (Eigen::Index i = 0; i < rows; ++i) {
       const double t = time[static_cast<std::size_t>(i)];
       const Jet<double> x = curve.at(t);
-      if (!finite(x, t, curve.place, curve.name, diagnostics)) break;
+      if (!finite(x, t, curve.place, curve.name, diagnostics)) {
+        sound = false;
+        break;
+      }
       out.value(i, j) = x.value, out.rate(i, j) = x.rate, out.acceleration(i, j) = x.acceleration;
     }
   }
+  if (!sound) return std::nullopt;
   out.asked = time.back();
   out.time = std::move(time);
   out.at = [curves](double t, double* value, double* rate, double* acceleration) {
@@ -98,13 +79,31 @@ Motion sampled(const std::vector<Curve>& curves, std::vector<double> time, Diagn
   return out;
 }
 
+std::string names_of(const std::vector<Moved>& list) {
+  std::vector<std::string> names;
+  for (const Moved& m : list) names.push_back(m.name);
+  return listed(names, "and");
+}
+
 // Keys that are none: coordinates that cannot be given are told apart from slips.
-void refuse_unknown(const Value& content, const MechanismPart& mechanism, Diagnostics& diagnostics) {
-  std::vector<std::string> known{"duration", "samples", "profile", "waypoint", "file"};
-  for (const Coordinate& c : mechanism.topology->coordinates) known.push_back(c.name);
+void refuse_unknown(const Value& content, const MechanismPart& mechanism, const Movables& movables, Diagnostics& diagnostics) {
+  std::vector<std::string> known{"duration", "samples", "until", "profile", "waypoint", "file"};
+  const std::string keys =
+      fmt::format("the keys are {}; and the coordinates {}, or the actuators {}, each also by its rate, {}_rate", listed(known, "and"),
+                  names_of(movables.coordinates), names_of(movables.actuators), movables.coordinates.front().name);
+  for (const char* suffix : {"", "_rate"})
+    for (const std::vector<Moved>* list : {&movables.coordinates, &movables.actuators})
+      for (const Moved& m : *list) known.push_back(m.name + suffix);
   for (const Entry& e : content.entries)
     if (std::find(known.begin(), known.end(), e.key) == known.end())
-      refuse_coordinate(e.place, e.key, mechanism, known, "[motion]", diagnostics);
+      refuse_coordinate(e.place, e.key, mechanism, known, "[motion]", diagnostics, keys);
+}
+
+// The first curve that the user wrote.
+Place place_of(const Curves& curves, Place otherwise) {
+  for (const Curve& c : curves.curves)
+    if (c.place.line > 0) return c.place;
+  return otherwise;
 }
 
 std::optional<double> read_duration(const Entry* entry, const Reader& reader) {
@@ -127,24 +126,25 @@ bool finite(const Jet<double>& x, double t, Place place, const std::string& what
   return false;
 }
 
-void refuse_coordinate(Place place, const std::string& name, const MechanismPart& mechanism, std::vector<std::string> known,
-                       const std::string& where, Diagnostics& diagnostics) {
+void refuse_coordinate(Place place, const std::string& name, const MechanismPart& mechanism, const std::vector<std::string>& known,
+                       const std::string& where, Diagnostics& diagnostics, const std::string& keys) {
+  const std::string base = without_rate(name);
   for (const Derived& d : mechanism.topology->derived) {
-    if (!d.dependent || d.name != name) continue;
+    if (!d.dependent || d.name != base) continue;
     std::string hint = "leave it out";
     for (const auto& p : mechanism.info.parameters)
-      if (p.kind == PM_CHOICE && std::find(p.choices.begin(), p.choices.end(), name) != p.choices.end()) {
+      if (p.kind == PM_CHOICE && std::find(p.choices.begin(), p.choices.end(), base) != p.choices.end()) {
         std::vector<std::string> others = p.choices;
-        std::erase(others, name);
+        std::erase(others, base);
         hint += fmt::format(", or let another coordinate follow: {} = {} in [mechanism.parameters]", p.name, listed(others, "or", true));
       }
     diagnostics.add(place,
-                    fmt::format("{} is a dependent coordinate of {}: it follows from the others and cannot be given", name, mechanism.name),
+                    fmt::format("{} is a dependent coordinate of {}: it follows from the others and cannot be given", base, mechanism.name),
                     hint);
     return;
   }
   diagnostics.add(place, fmt::format("unknown key {} in {}{}", in_quotes(name), where, did_you_mean(name, known)),
-                  fmt::format("the keys are {}", listed(known, "and")));
+                  keys.empty() ? fmt::format("the keys are {}", listed(known, "and")) : keys);
 }
 
 MotionPart read_motion(const Entry* entry, const MechanismPart& mechanism, const std::filesystem::path& scenario, const Reader& reader) {
@@ -158,9 +158,9 @@ MotionPart read_motion(const Entry* entry, const MechanismPart& mechanism, const
   if (content == nullptr) return part;
   TableReader table(*content, "[motion]", entry->place, reader);
   const Entry *file = table.find("file"), *waypoints = table.find("waypoint"), *profile = table.find("profile"),
-              *duration_entry = table.find("duration");
+              *duration_entry = table.find("duration"), *until = table.find("until");
   const Entry* samples_entry = file != nullptr ? table.find("samples") : table.need("samples", "samples = 501");
-  const auto samples = samples_entry != nullptr ? read_samples(samples_entry->value, reader) : std::nullopt;
+  const std::size_t samples = samples_entry != nullptr ? read_samples(samples_entry->value, reader) : 0;
   const auto duration = read_duration(duration_entry, reader);
   const bool by_points = file != nullptr || waypoints != nullptr;
 
@@ -179,38 +179,45 @@ MotionPart read_motion(const Entry* entry, const MechanismPart& mechanism, const
   if (file != nullptr && duration_entry != nullptr)
     diagnostics.add(duration_entry->place, "the times in the file say how long the motion lasts", "remove duration");
   if (!by_points) table.need("duration", "duration = \"10 s\"");
+  if (until != nullptr) reader.word(until->value, {"singularity"}, "what a motion may last until");
 
   if (!mechanism.topology) {
     if (!by_points && duration) part.interval = {0, *duration};
     return part;
   }
-  const Topology& topology = *mechanism.topology;
-  refuse_unknown(*content, mechanism, diagnostics);
-  std::vector<Curve> curves;
-  std::vector<double> own_times;
+  const Movables movables(mechanism);
+  refuse_unknown(*content, mechanism, movables, diagnostics);
+  std::optional<Curves> curves;
+  std::vector<double> time;
   if (by_points) {
-    refuse_expressions(*content, topology, file != nullptr ? "file" : "waypoints", diagnostics);
-    auto knots = file != nullptr ? read_motion_file(*file, quintic, topology, scenario, reader)
-                                 : read_waypoints(*waypoints, quintic, topology, reader);
-    if (knots) {
-      curves = std::move(knots->curves);
-      own_times = std::move(knots->times);
-      part.interval = {own_times.front(), own_times.back()};
-      if (duration && file == nullptr && *duration > own_times.back())
-        diagnostics.add(duration_entry->value.place, fmt::format("expected at most the time of the last waypoint, {} s, seen {} s",
-                                                                 format_number(own_times.back(), 6), format_number(*duration, 6)));
-      else if (duration && file == nullptr)
-        part.interval->end = *duration;
-    }
+    refuse_expressions(*content, movables, file != nullptr ? "file" : "waypoints", diagnostics);
+    curves = file != nullptr ? read_motion_file(*file, quintic, movables, scenario, reader)
+                             : read_waypoints(*waypoints, quintic, movables, reader);
+    if (!curves) return part;
+    part.interval = {curves->times.front(), curves->times.back()};
+    if (duration && file == nullptr && *duration > part.interval->end)
+      diagnostics.add(duration_entry->value.place, fmt::format("expected at most the time of the last waypoint, {} s, seen {} s",
+                                                               format_number(part.interval->end, 6), format_number(*duration, 6)));
+    else if (duration && file == nullptr)
+      part.interval->end = *duration;
+    if (samples_entry == nullptr && file != nullptr) time = curves->times;
+    if (samples > 0) time = uniform(*part.interval, samples);
   } else {
-    curves = read_expressions(table, topology);
     if (duration) part.interval = {0, *duration};
+    if (duration && samples > 0) time = uniform(*part.interval, samples);
+    curves = read_expressions(*content, movables, time.empty() ? std::vector{0.0} : time, reader);
   }
-  if (!part.interval || curves.size() != topology.coordinates.size()) return part;
-  if (samples)
-    part.motion = sampled(curves, uniform(*part.interval, *samples), diagnostics);
-  else if (samples_entry == nullptr && file != nullptr)
-    part.motion = sampled(curves, std::move(own_times), diagnostics);
+  if (!curves || time.empty()) return part;
+  auto motion = sampled(curves->curves, std::move(time), diagnostics);
+  if (!motion || mechanism.machine == nullptr) return part;
+  if (curves->by_actuators) {
+    motion = followed(std::move(*motion), *mechanism.machine, until != nullptr, place_of(*curves, entry->place), diagnostics);
+    if (!motion) return part;
+  } else if (until != nullptr && !end_at_singularity(*motion, *mechanism.machine, until->place, diagnostics)) {
+    return part;
+  }
+  part.motion = std::move(*motion);
+  part.interval->end = part.motion.time.back();
   return part;
 }
 

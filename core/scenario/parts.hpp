@@ -31,35 +31,95 @@ struct MotionPart {
 };
 MotionPart read_motion(const Entry* entry, const MechanismPart& mechanism, const std::filesystem::path& scenario, const Reader& reader);
 
-// How one coordinate moves, whatever says so.
+// What a motion may prescribe: the independent coordinates, or the actuators, never some of both.
+struct Moved {
+  std::string name, unit;  // SI
+  double home = 0;
+};
+struct Movables {
+  explicit Movables(const MechanismPart& mechanism);  // whose topology is known
+  std::vector<Moved> coordinates, actuators;
+};
+
+// A name in a motion, and where it stands.
+struct Named {
+  std::string name;
+  Place place;
+};
+using Refuse = std::function<void(Place, const std::string& message, const std::string& hint)>;
+// What the names prescribe: coordinates, unless they are actuators. Nothing, told, when they are some of both; names of neither count for
+// nothing. `suffix`: names may end in "_rate".
+struct Prescribed {
+  bool by_actuators = false;
+  const std::vector<Moved>* moved = nullptr;
+};
+std::optional<Prescribed> prescribed(const std::vector<Named>& names, const Movables& movables, bool suffix, const Refuse& refuse);
+
+// How one coordinate or actuator moves, whatever says so.
 struct Curve {
   std::string name;
   Place place;  // of what says so
   std::function<Jet<double>(double)> at;
   std::string description;
 };
-
-// The curves of [motion] that come from waypoints, or from a file: one a coordinate, and the times of the points. Nothing when something is
-// wrong.
-struct Knots {
-  std::vector<double> times;
-  std::vector<Curve> curves;
+struct Curves {
+  bool by_actuators = false;
+  std::vector<double> times;  // of the points, for curves through points
+  std::vector<Curve> curves;  // one a coordinate, or one an actuator
 };
-std::optional<Knots> read_waypoints(const Entry& waypoints, bool quintic, const Topology& topology, const Reader& reader);
-std::optional<Knots> read_motion_file(const Entry& file, bool quintic, const Topology& topology, const std::filesystem::path& scenario,
-                                      const Reader& reader);
 
-// A coordinate that is named but cannot be given: unknown, or dependent.
-void refuse_coordinate(Place place, const std::string& name, const MechanismPart& mechanism, std::vector<std::string> known,
-                       const std::string& where, Diagnostics& diagnostics);
+// The curves of [motion], or nothing when something is wrong: from expressions; from waypoints; from a file.
+std::optional<Curves> read_expressions(const Value& motion, const Movables& movables, const std::vector<double>& times,
+                                       const Reader& reader);
+std::optional<Curves> read_waypoints(const Entry& waypoints, bool quintic, const Movables& movables, const Reader& reader);
+std::optional<Curves> read_motion_file(const Entry& file, bool quintic, const Movables& movables, const std::filesystem::path& scenario,
+                                       const Reader& reader);
+
+// "q1" of "q1_rate", else the name itself.
+std::string without_rate(const std::string& name);
+
+// The motion of the coordinates that follow the motion `drive` of the actuators; `place` is where that stands. Nothing, told, when it has
+// no pose to start from, or, cut off at a singular surface, too few samples.
+std::optional<Motion> followed(Motion drive, const mechanics::Machine& machine, bool until_singularity, Place place,
+                               Diagnostics& diagnostics);
+// Cuts a motion of coordinates off at the first singular surface. False, told, when too few samples remain.
+bool end_at_singularity(Motion& motion, const mechanics::Machine& machine, Place place, Diagnostics& diagnostics);
+
+// A coordinate that is named but cannot be given: unknown, or dependent. `keys`: what may be named, in words; else `known` is listed.
+void refuse_coordinate(Place place, const std::string& name, const MechanismPart& mechanism, const std::vector<std::string>& known,
+                       const std::string& where, Diagnostics& diagnostics, const std::string& keys = {});
 
 Load read_load(const Entry* entry, const std::vector<double>& time, const Reader& reader);
 
 // A section whose kind cannot be read keeps an empty one.
-std::vector<SectionRequest> read_sections(const Entry* entry, const std::optional<Interval>& interval, const Reader& reader);
+std::vector<SectionRequest> read_sections(const Entry* entry, const std::optional<Interval>& interval, const MechanismPart& mechanism,
+                                          const Reader& reader);
 
-std::vector<Check> read_checks(const Entry* entry, const std::vector<SectionRequest>& sections, const std::optional<Topology>& topology,
-                               const std::optional<Interval>& interval, const Reader& reader);
+// The options of a section, by kind.
+void read_snapshots(TableReader& table, const std::optional<Interval>& interval, SectionRequest& request);
+void read_singularity(TableReader& table, const MechanismPart& mechanism, SectionRequest& request);
+void read_assembly(TableReader& table, const std::optional<Interval>& interval, const MechanismPart& mechanism, SectionRequest& request);
+// `measurable`: what rows may name.
+struct Measurable;
+std::vector<ComparisonRow> read_comparison_rows(const Entry& rows, const Measurable& measurable, const Reader& reader);
+
+// A time that must lie within the motion; told when it does not.
+std::optional<double> read_time(const Value& value, const std::optional<Interval>& interval, const Reader& reader);
+// The items of a list of one to `most`; what is wrong is reported.
+std::vector<Value> items_of(const Entry& entry, std::size_t most, const Reader& reader);
+
+// What one number of the report may be made of.
+struct Measurable {
+  const std::vector<SectionRequest>& sections;
+  const std::optional<Topology>& topology;
+  const std::optional<Interval>& interval;
+};
+// "max(abs(actuator_force))", "at(l1, 2.5 s)", "mobility.redundant". Nothing, told, when there is no such thing in this report; a thing
+// without columns and quantity when the mechanism is unknown, so that it cannot be judged.
+std::optional<Measured> read_measured(const Value& value, const Measurable& measurable, const Reader& reader);
+bool judged(const Measured& m);
+
+std::vector<Check> read_checks(const Entry* entry, const Measurable& measurable, const Reader& reader);
 
 // The tables of an array of tables, [[name]]; a single table or anything else is reported.
 std::vector<const Value*> tables_of(const Entry* entry, const std::string& name, const Reader& reader);

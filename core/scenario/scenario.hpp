@@ -39,9 +39,10 @@ using Path = std::function<bool(double t, double* value, double* rate, double* a
 struct Motion {
   std::vector<double> time;                   // [s]
   Eigen::MatrixXd value, rate, acceleration;  // one row a sample, one column an independent coordinate, SI; NaN: no pose
-  Path at;                                    // the same at any time from the first sample to the last
-  std::string description;                    // one line a coordinate, for the report: "x = 20 mm * sin(2*pi*t/10 s)"
+  Path at;                                    // the same at any time from the first sample to the last; safe in threads
+  std::string description;                    // one line a prescribed quantity, for the report: "x = 20 mm * sin(2*pi*t/10 s)"
   bool by_actuators = false;
+  Path actuators;                  // as prescribed, if they are: with their rates and accelerations, SI
   bool until_singularity = false;  // the motion may end at a singular surface
   double asked = 0;                // when it should have ended [s]
   // Why it ends before: "meets a singular surface at t = 3.314 s: ...". Empty: it does not. With `until_singularity` the samples end there,
@@ -69,6 +70,7 @@ struct Measured {
   std::vector<std::string> columns;  // resolved column names: l1_force, ... (see columns.hpp)
   double time = 0;                   // for "at": at(l1, 2.5 s)
   std::string unit;                  // SI
+  bool count = false;                // a whole number
 };
 
 // A map of det G over two coordinates.
@@ -111,6 +113,7 @@ struct SectionRequest {
   Eigen::VectorXd actuators;  // SI; empty: those at `time`
   bool working_modes = true;  // with every word of the choices of working mode, else as the scenario sets them
   // comparison
+  std::string source;  // of all rows; may be empty
   std::vector<ComparisonRow> rows;
 };
 
@@ -140,13 +143,17 @@ struct MechanismSource {
 };
 
 // A validated scenario and the machine that it describes. Throws ScenarioError (bad file, exit 2), or mechanics::MechanismError when the
-// plugin breaks (exit 3); parameters that the mechanism refuses are a ScenarioError at the line of [mechanism].
+// plugin breaks (exit 3); parameters that the mechanism refuses are a ScenarioError at the line of [mechanism]. A motion by actuators asks
+// the machine for its poses: the scenario must not outlive it.
 struct Loaded {
   Scenario scenario;
   std::unique_ptr<mechanics::Machine> machine;
 };
 Loaded load(const std::filesystem::path& file, const MechanismSource& source);
 Loaded load_text(const std::string& text, const std::filesystem::path& file, const MechanismSource& source);
+
+// Largest number of poses of a section singularity.
+inline constexpr std::size_t most_poses = 100;
 
 // Largest number of samples; more is refused with the estimate of time and memory.
 inline constexpr std::size_t max_samples = 1'000'000;

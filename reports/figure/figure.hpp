@@ -3,6 +3,7 @@
 
 #include <cairo.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,12 +30,22 @@ struct Line {  // horizontal reference line: a limit
   std::string label;  // "stroke ends", drawn small at its right end; may be empty
 };
 
+// Values over a grid as colours: a diverging scale, symmetric about zero, with a bar beside the frame. The panel's axes are those of the
+// grid; its curves are drawn over the map, a style of 0 solid, others dashed.
+struct ColourMap {
+  std::vector<double> x, y;    // of the columns and of the rows, evenly spaced and increasing, at least two
+  std::vector<double> values;  // row by row; NaN: out of reach, grey and hatched
+  Axis bar;                    // what the colours count
+  std::string zero;            // "det G = 0": the contour of zero in the legend; empty: no contour
+};
+
 struct Panel {
   std::string title;  // "limb lengths"; "(a)" and so on is added by the figure when it has several panels
   Axis x, y;
   std::vector<Series> series;
   std::vector<Band> bands;
   std::vector<Line> lines;
+  std::optional<ColourMap> map = {};
 };
 
 enum class Width { column, full };  // 85 mm and 174 mm, the two widths of a journal

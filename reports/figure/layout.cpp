@@ -23,13 +23,15 @@ struct Grid {
   double width, cell_width, frame_height;  // [pt]
 };
 
-// About 48 mm a panel with its labels when two stand side by side; one alone is taller, so that it keeps its proportions.
+// About 48 mm a panel with its labels when two stand side by side; one alone is taller, so that it keeps its proportions. A
+// map is about square.
 Grid grid_of(const Figure& figure) {
   const double width = figure.width == Width::full ? full_width : column_width;
   const int wanted = figure.width == Width::full ? std::clamp(figure.columns, 1, most_columns) : 1;
   const int columns = std::max(1, std::min(wanted, static_cast<int>(figure.panels.size())));
   const double cell = (width - 2 * edge - between_columns * (columns - 1)) / columns;
-  return {columns, width, cell, figure.width == Width::full && columns == 1 ? 140.0 : 102.0};
+  const bool maps = std::any_of(figure.panels.begin(), figure.panels.end(), [](const Panel& p) { return p.map.has_value(); });
+  return {columns, width, cell, maps ? 150.0 : figure.width == Width::full && columns == 1 ? 140.0 : 102.0};
 }
 
 // Room that a panel needs around its frame.
@@ -54,6 +56,7 @@ Margins margins_of(cairo_t* cr, const Panel& panel, PanelLayout& layout) {
   };
   Margins margins{tick_length + tick_gap + widest + title_height(y_title, height), overhang,
                   tick_length + tick_gap + tick_height + title_height(x_title, width)};
+  if (panel.map) margins.right = std::max(overhang, bar_width(cr, *panel.map, layout.bar, height));
   layout.x_title_y = height + tick_length + tick_gap + tick_height + title_gap;
   if (layout.legend_place == PanelLayout::Place::below) {
     layout.legend.box.x = std::min((width - layout.legend.box.width) / 2, width - layout.legend.box.width);

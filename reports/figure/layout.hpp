@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reports/figure/axis.hpp"
+#include "reports/figure/colour_map.hpp"
 #include "reports/figure/curve.hpp"
 #include "reports/figure/figure.hpp"
 #include "reports/figure/geometry.hpp"
@@ -29,6 +30,8 @@ struct PanelLayout {
   std::vector<Box> limit_bands, unreachable_bands;
   std::vector<double> lines;  // [pt] heights of the limit lines inside the frame
   std::vector<LineLabel> line_labels;
+  ColourBar bar;                // of a map
+  std::vector<Stroke> contour;  // of a map
   enum class Place { none, inside, below } legend_place = Place::none;
   Legend legend;
   std::string heading;     // Pango markup

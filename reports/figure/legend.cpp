@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reports/figure/colour_map.hpp"
 #include "reports/figure/palette.hpp"
 #include "reports/figure/shading.hpp"
 #include "reports/figure/text.hpp"
@@ -59,10 +60,12 @@ double cost(const Legend& legend, const Box& box, const Ground& ground, double w
 }
 
 void draw_swatch(cairo_t* cr, const Key& key, double x, double middle) {
-  if (key.kind == Key::Kind::curve) {
-    const LineStyle style = line_style(key.style);
+  if (key.kind == Key::Kind::curve || key.kind == Key::Kind::over_map || key.kind == Key::Kind::contour) {
+    const LineStyle style = key.kind == Key::Kind::curve      ? line_style(key.style)
+                            : key.kind == Key::Kind::over_map ? line_over_map(key.style)
+                                                              : LineStyle{ink, {}};
     set_colour(cr, style.colour);
-    cairo_set_line_width(cr, curve_width);
+    cairo_set_line_width(cr, key.kind == Key::Kind::contour ? contour_width : curve_width);
     cairo_set_dash(cr, style.dash.data(), static_cast<int>(style.dash.size()), 0);
     cairo_move_to(cr, x, middle);
     cairo_line_to(cr, x + swatch, middle);
@@ -80,11 +83,20 @@ int style_of(const Series& series, std::size_t position) { return series.style >
 std::vector<Key> keys_of(const Panel& panel) {
   std::vector<Key> keys;
   for (std::size_t i = 0; i < panel.series.size(); ++i) {
-    if (!panel.series[i].label.empty()) keys.push_back({Key::Kind::curve, panel.series[i].label, style_of(panel.series[i], i)});
+    const Key::Kind kind = panel.map ? Key::Kind::over_map : Key::Kind::curve;
+    if (!panel.series[i].label.empty()) keys.push_back({kind, panel.series[i].label, style_of(panel.series[i], i)});
   }
   const auto any = [&](Band::Kind kind) {
     return std::any_of(panel.bands.begin(), panel.bands.end(), [&](const Band& band) { return band.kind == kind; });
   };
+  if (panel.map) {
+    const auto& values = panel.map->values;
+    const auto has = [&](auto&& is) { return std::any_of(values.begin(), values.end(), is); };
+    if (!panel.map->zero.empty() && has([](double v) { return v < 0; }) && has([](double v) { return v > 0; }))
+      keys.push_back({Key::Kind::contour, panel.map->zero});
+    if (has([](double v) { return !std::isfinite(v); })) keys.push_back({Key::Kind::unreachable, "out of reach"});
+    return keys;
+  }
   if (any(Band::Kind::limit)) keys.push_back({Key::Kind::limit, "limit broken"});
   if (any(Band::Kind::unreachable)) keys.push_back({Key::Kind::unreachable, "out of reach"});
   return keys;

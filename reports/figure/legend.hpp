@@ -12,7 +12,7 @@
 namespace pmreport::figure {
 
 struct Key {
-  enum class Kind { curve, limit, unreachable } kind;
+  enum class Kind { curve, limit, unreachable, over_map, contour } kind;  // over_map: a curve that lies over a map
   std::string label;
   int style = 0;  // of a curve
 };

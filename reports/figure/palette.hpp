@@ -20,6 +20,9 @@ struct LineStyle {
 constexpr int colours = 10;
 LineStyle line_style(int style);
 
+// A curve that lies over colours: green, which no map uses; solid for style 0, else dashed.
+LineStyle line_over_map(int style);
+
 constexpr double curve_width = 1.1;  // [pt]
 constexpr double axis_width = 0.5;
 constexpr double grid_width = 0.3;

@@ -163,15 +163,18 @@ void draw_absence(cairo_t* cr, const PanelLayout& layout) {
 void draw_panel(cairo_t* cr, const Panel& panel, const PanelLayout& layout) {
   cairo_save(cr);
   cairo_translate(cr, layout.frame.x, layout.frame.y);
+  if (panel.map) draw_map(cr, *panel.map, layout.frame.width, layout.frame.height);
   shade(cr, layout.unreachable_bands, Band::Kind::unreachable);
   shade(cr, layout.limit_bands, Band::Kind::limit);
-  if (!layout.empty) draw_grid(cr, layout);
+  if (!layout.empty && !panel.map) draw_grid(cr, layout);
   draw_lines(cr, layout);
   const bool inside = layout.legend_place == PanelLayout::Place::inside;
   if (inside) draw_legend(cr, layout.legend, true);
+  if (panel.map) draw_contour(cr, layout.contour);
   draw_axes(cr, layout);
   for (std::size_t i = 0; i < layout.traces.size(); ++i) {
-    draw_curve(cr, layout.traces[i], line_style(style_of(panel.series[i], i)), layout.frame.height);
+    draw_curve(cr, layout.traces[i], panel.map ? line_over_map(style_of(panel.series[i], i)) : line_style(style_of(panel.series[i], i)),
+               layout.frame.height);
   }
   draw_line_labels(cr, layout);
   if (layout.empty) draw_absence(cr, layout);
@@ -180,6 +183,7 @@ void draw_panel(cairo_t* cr, const Panel& panel, const PanelLayout& layout) {
   draw_numbers(cr, layout);
   draw_titles(cr, panel, layout);
   draw_heading(cr, layout);
+  if (panel.map) draw_bar(cr, *panel.map, layout.bar, layout.frame.width + bar_gap, layout.frame.height);
   cairo_restore(cr);
 }
 

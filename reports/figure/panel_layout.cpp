@@ -149,6 +149,22 @@ Ground arrange(cairo_t* cr, const Panel& panel, Interval y, double width, double
   return ground;
 }
 
+// The legend never covers a map.
+void lay_out_map(cairo_t* cr, const Panel& panel, double width, double height, double room, PanelLayout& layout) {
+  const ColourMap& map = *panel.map;
+  fill(panel, y_range(panel), width, height, layout);
+  layout.bar = lay_out_bar(cr, map, height);
+  if (!map.zero.empty()) layout.contour = zero_contour(map, layout.window);
+  double most = 0;
+  for (const double v : map.values)
+    if (std::isfinite(v)) most = std::max(most, std::abs(v));
+  if (most > colour_limit(map)) layout.spike_note = fmt::format("beyond the colours: up to {}", typeset(most, 2));
+  const std::vector<Legend> shapes = legend_shapes(cr, keys_of(panel), room);
+  if (shapes.empty()) return;
+  layout.legend_place = PanelLayout::Place::below;
+  layout.legend = shapes.back();
+}
+
 }  // namespace
 
 PanelLayout lay_out_panel(cairo_t* cr, const Panel& panel, double width, double height, double room) {
@@ -156,6 +172,10 @@ PanelLayout lay_out_panel(cairo_t* cr, const Panel& panel, double width, double 
   layout.frame = {0, 0, width, height};
   layout.empty = !has_data(panel);
   layout.x = horizontal_scale(cr, x_range(panel), width);
+  if (panel.map) {
+    lay_out_map(cr, panel, width, height, room, layout);
+    return layout;
+  }
   const std::vector<Legend> shapes = legend_shapes(cr, keys_of(panel), width - 6);
   for (const double headroom : headrooms) {
     const Ground ground = arrange(cr, panel, y_range(panel, headroom), width, height, layout);

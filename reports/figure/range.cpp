@@ -69,10 +69,12 @@ Hull hull_of_data(const Panel& panel) {
 }  // namespace
 
 bool has_data(const Panel& panel) {
+  if (panel.map) return std::any_of(panel.map->values.begin(), panel.map->values.end(), [](double v) { return std::isfinite(v); });
   return std::any_of(panel.series.begin(), panel.series.end(), [](const Series& series) { return !finite_y(series).empty(); });
 }
 
 Interval x_range(const Panel& panel) {
+  if (panel.map) return widened({panel.map->x.front(), panel.map->x.back()});
   Hull hull;
   for (const Series& series : panel.series) {
     for (const double x : series.x) {
@@ -83,6 +85,7 @@ Interval x_range(const Panel& panel) {
 }
 
 Interval y_range(const Panel& panel, double headroom) {
+  if (panel.map) return widened({panel.map->y.front(), panel.map->y.back()});
   const Hull data = hull_of_data(panel);
   if (data.empty()) return {0, 1};
   const Interval base = widened({data.low, data.high});

@@ -1,4 +1,3 @@
-#include <core/mechanics/properties.hpp>
 #include <core/scenario/units.hpp>
 #include <reports/program/describe.hpp>
 
@@ -130,17 +129,6 @@ std::string describe_json(const Machine& m) {
   j["platform"] = t.bodies[static_cast<std::size_t>(t.platform)].name;
   j["idle_freedoms"] = t.idle;
   return j.dump(2) + "\n";
-}
-
-bool print_properties(const Machine& machine, int poses) {
-  fmt::print("{}: home and {} random poses\n\n{:<50} {:>9} {:>9}      \n", machine.info().name, poses, "property", "worst", "allowed");
-  bool passed = true;
-  for (const mechanics::Property& p : check_properties(machine, {poses, 1})) {
-    fmt::print("{:<50} {:>9.1e} {:>9.0e} {:<4} {}\n", p.claim, p.worst, p.tolerance, p.unit, p.passed() ? "pass" : "FAIL");
-    if (!p.passed()) fmt::print("    {}; worst: {}\n", p.how, p.where);
-    passed = passed && p.passed();
-  }
-  return passed;
 }
 
 void print_verdict(const document::Report& report, const std::string& folder) {

@@ -11,9 +11,6 @@ namespace pmreport::program {
 std::string describe_text(const mechanics::Machine& machine);
 std::string describe_json(const mechanics::Machine& machine);
 
-// The property suite as a table; true when everything passed.
-bool print_properties(const mechanics::Machine& machine, int poses);
-
 // Verdict, failures, and where the report is.
 void print_verdict(const document::Report& report, const std::string& folder);
 

@@ -37,7 +37,7 @@ void include(Bounds& bounds, const Solid& s) {
   if (s.kind == Solid::Kind::plate)
     for (std::size_t k = 0; k < s.outline.size(); k += 4) bounds.include(s.outline[k], s.radius / 2);  // its arcs are fine
   else if (s.kind == Solid::Kind::box)
-    bounds.include(s.a, s.b.norm());
+    for (const Eigen::Vector3d& corner : corners(s)) bounds.include(corner);
   else
     bounds.include(s.a, s.radius);
   if (s.kind == Solid::Kind::cylinder || s.kind == Solid::Kind::cone) bounds.include(s.b, s.radius);
@@ -64,6 +64,14 @@ void include(Bounds& bounds, const Machine& machine, const Pose& pose) {
   const Sizes sizes = measure(machine);
   for (const Solid& s : solids_of(machine, pose, sizes).solids) include(bounds, s);
   bounds.include(machine.origin(pose, machine.topology().platform), 0.27 * sizes.overall);  // its frame and arrows
+}
+
+std::array<Eigen::Vector3d, 8> corners(const Solid& box) {
+  std::array<Eigen::Vector3d, 8> out;
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] =
+        box.a + box.axes * Eigen::Vector3d(i & 1 ? box.b.x() : -box.b.x(), i & 2 ? box.b.y() : -box.b.y(), i & 4 ? box.b.z() : -box.b.z());
+  return out;
 }
 
 Scene build(const Machine& machine, const Pose& pose, const Extras& extras) {

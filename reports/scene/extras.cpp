@@ -32,7 +32,39 @@ void add_turn(Scene& scene, const Vector3d& centre, const Vector3d& axis, double
   scene.solids.push_back(cone(base, base + head * ring * along, 2.3 * radius, color, seen_through));
 }
 
+constexpr double screw_half = 0.60;  // of the overall size: half the line that is drawn of a screw's axis
+
+// Where the axis comes nearest to the platform; of a free one, the platform itself.
+Vector3d middle_of(const Screw& screw, const Vector3d& platform) {
+  if (std::isinf(screw.pitch)) return platform;
+  return screw.point + screw.direction.dot(platform - screw.point) * screw.direction;
+}
+
+// A long line that is seen through everything; the arrows along and around stand on it beside the platform, on the side that `outer` points
+// to.
+void add_screw(Scene& scene, const Screw& screw, const Vector3d& platform, const Vector3d& outer, const Sizes& sizes) {
+  const double half = screw_half * sizes.overall, r = 0.011 * sizes.overall;
+  const Vector3d d = screw.direction.dot(outer) < 0 ? Vector3d(-screw.direction) : screw.direction;
+  const bool free = std::isinf(screw.pitch);
+  const Vector3d middle = middle_of(screw, platform);
+  const Vector3d end = middle + half * d;
+  scene.solids.push_back(cylinder(middle - half * d, end, 0.45 * r, screw.color, 0.75f));
+  if (screw.pitch != 0) {
+    const double length = 0.24 * sizes.overall;
+    const Vector3d low = middle + (free ? 0.35 : 0.50) * half * d, high = low + length * d;
+    screw.pitch > 0 ? add_arrow(scene, low, high, r, screw.color) : add_arrow(scene, high, low, r, screw.color);
+  }
+  if (!free) add_turn(scene, middle + 0.38 * half * d, d, 0.10 * sizes.overall, r, screw.color);
+  scene.labels.push_back({end + 0.04 * sizes.overall * d, screw.label, screw.color});
+}
+
 }  // namespace
+
+void include(Bounds& bounds, const mechanics::Machine& machine, const mechanics::Pose& pose, const Screw& screw) {
+  const double overall = measure(machine).overall;
+  const Vector3d middle = middle_of(screw, machine.origin(pose, machine.topology().platform));
+  for (const double side : {-1.0, 1.0}) bounds.include(middle + side * screw_half * overall * screw.direction, 0.06 * overall);
+}
 
 void add_frame(Scene& scene, const Vector3d& origin, const Eigen::Matrix3d& axes, const char* const names[4], double length) {
   const double r = 0.022 * length;
@@ -72,6 +104,7 @@ void add_extras(Scene& scene, const mechanics::Machine& machine, const mechanics
     add_turn(scene, centre, axis, 0.24 * length, 0.8 * r, palette::load);
     scene.labels.push_back({centre + 0.38 * length * out, "M", palette::load});
   }
+  for (const Screw& screw : extras.screws) add_screw(scene, screw, p, outer, sizes);
 }
 
 }  // namespace pmreport::scene

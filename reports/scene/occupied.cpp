@@ -71,8 +71,15 @@ Occupied::Occupied(const Scene& scene, const View& view, int width, int height)
       cairo_arc(cr, a.x(), a.y(), r, 0, 2 * std::numbers::pi);
       cairo_fill(cr);
     } else if (s.kind == Solid::Kind::box) {
-      cairo_arc(cr, a.x(), a.y(), s.b.norm() * view.scale(), 0, 2 * std::numbers::pi);
-      cairo_fill(cr);
+      const auto c = corners(s);
+      for (const std::size_t axis : {1u, 2u, 4u})
+        for (const std::size_t side : {std::size_t{0}, axis}) {
+          const std::size_t u = axis == 1 ? 2 : 1, v = axis == 4 ? 2 : 4;
+          cairo_new_path(cr);
+          polygon(cr, {c[side], c[side | u], c[side | u | v], c[side | v]}, view);
+          cairo_set_source_rgba(cr, 0, 0, 0, weight_limb);
+          cairo_fill(cr);
+        }
     } else {
       polygon(cr, {s.a, s.b}, view);
       cairo_set_line_width(cr, std::max(2 * r, 1.0));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <core/mechanics/machine.hpp>
 #include <cstdint>
 #include <string>
@@ -22,6 +23,8 @@ struct Solid {
   Color color;
   float through = 0;  // opacity of what other solids hide of it: 0 not seen, 1 as if nothing were in front
 };
+
+std::array<Eigen::Vector3d, 8> corners(const Solid& box);  // neighbours differ by one bit of the index
 
 struct Polyline {
   std::vector<Eigen::Vector3d> points;
@@ -91,6 +94,7 @@ Scene build(const mechanics::Machine& machine, const mechanics::Pose& pose, cons
 
 // Bounds of all that is drawn of a pose; a report includes all its samples, then frames every picture alike.
 void include(Bounds& bounds, const mechanics::Machine& machine, const mechanics::Pose& pose);
+void include(Bounds& bounds, const mechanics::Machine& machine, const mechanics::Pose& pose, const Screw& screw);  // its drawn part
 Camera frame(const Bounds& bounds, double azimuth, double elevation, double aspect);
 
 // Off-screen rendering; throws std::runtime_error with the reason when OpenGL fails (too large, no memory).

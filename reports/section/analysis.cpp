@@ -29,6 +29,7 @@ Analysis::Analysis(const scenario::Scenario& scenario, const mechanics::Machine&
   mobility_ = mechanics::mobility(machine, s);
   run(progress);
   find_breaches();
+  find_crossings();
 }
 
 void Analysis::run(const Progress& progress) {
@@ -64,9 +65,6 @@ void Analysis::run(const Progress& progress) {
   for (std::size_t k = 0; k < n; ++k)
     if (conditions_[k] == Condition::failed)
       throw mechanics::MechanismError(PM_FAILED, "sample " + std::to_string(k + 1) + ": " + why_[static_cast<int>(k)]);
-  const std::vector<double>& det = columns_.at("det_G");
-  for (std::size_t k = 0; k + 1 < n; ++k)
-    if (det[k] * det[k + 1] < 0) crossings_.push_back({static_cast<int>(k)});
 }
 
 void Analysis::find_breaches() {

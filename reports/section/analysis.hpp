@@ -23,6 +23,7 @@ enum class Measure : std::size_t {
   velocity,                 // twists by jets in the generic constraints
   jacobian,                 // G twist against actuator rates by jets
   forward_velocity,         // twist recovered from the actuator rates
+  source,                   // relations that the source states by its matrices
   difference_rate,          // jets against differences in extended precision
   acceleration,             // twist rates by jets in the differentiated constraints
   jacobian_rate,            // G twist rate + G' twist against actuator accelerations by jets
@@ -56,8 +57,13 @@ struct Interval {
   int first, last;  // samples, inclusive
 };
 
-struct Crossing {  // det G changes its sign between two samples
-  int before;
+// The motion meets a singular surface: det G changes its sign, or touches zero, at `time`.
+struct Crossing {
+  int before;                   // sample at or before it
+  double time;                  // [s], to the last digits of a double
+  Eigen::VectorXd coordinates;  // there
+  bool touches = false;         // it comes back on the same side
+  bool pole = false;            // det G passes through infinity, not zero: a limb is singular
 };
 
 // What the program does while it works: tell, and ask whether to stop (then throw).
@@ -102,6 +108,7 @@ class Analysis {
  private:
   void run(const Progress& progress);
   void find_breaches();
+  void find_crossings();  // in crossings.cpp
 
   const scenario::Scenario& scenario_;
   const mechanics::Machine& machine_;

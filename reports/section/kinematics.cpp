@@ -1,5 +1,6 @@
 // Sections `displacement`, `velocity`, `acceleration`, and the overview.
 #include <reports/section/plots.hpp>
+#include <reports/section/prescribed.hpp>
 #include <reports/section/section.hpp>
 #include <reports/section/words.hpp>
 
@@ -90,8 +91,12 @@ Section displacement_section(const Analysis& a) {
   std::string dependent;
   for (const Derived& d : t.derived)
     if (d.dependent) dependent += fmt::format("{}{} ({})", dependent.empty() ? "" : ", ", symbol(d.name), d.title);
+  const bool driven = a.scenario().motion.by_actuators;
   std::string words =
-      fmt::format("The platform follows {} prescribed coordinates; actuator values follow by inverse displacement.", a.machine().dof());
+      driven ? fmt::format("The scenario prescribes the {} actuators; the pose of the platform follows by forward displacement from home.",
+                           a.machine().dof())
+             : fmt::format("The platform follows {} prescribed coordinates; actuator values follow by inverse displacement.",
+                           a.machine().dof());
   if (!dependent.empty()) words += fmt::format(" Dependent, from the constraint of the limbs: {}.", dependent);
   s.blocks.push_back(Paragraph{Paragraph::Tone::plain, words});
 
@@ -115,13 +120,17 @@ Section displacement_section(const Analysis& a) {
   s.blocks.push_back(f);
   s.blocks.push_back(extremes(a, "Extremes over the motion.",
                               columns_in(a, "displacement", {"coordinate", "derived", "actuator", "reading", "joint_angle"})));
-  s.blocks.push_back(proof(
+  document::Proof evidence = proof(
       a,
       {{Measure::gap, "The joints close", "largest distance of the two images of a joint centre, each carried along by one of its bodies",
         1e-10 * std::max(1.0, a.length()), "m"},
        {Measure::misalignment, "The joint axes agree", "largest angle between the two images of a joint axis", 1e-9, "rad"},
        {Measure::round_trip, "Forward displacement returns the pose",
-        "Newton from a neighbouring pose to the actuator values, against the prescribed coordinates", 1e-8, ""}}));
+        driven ? "Newton from a neighbouring pose to the actuator values, against the coordinates found along the motion"
+               : "Newton from a neighbouring pose to the actuator values, against the prescribed coordinates",
+        1e-8, ""}});
+  for (document::Evidence& e : prescribed_evidence(a)) evidence.lines.push_back(std::move(e));
+  s.blocks.push_back(std::move(evidence));
   return s;
 }
 

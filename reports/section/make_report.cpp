@@ -42,6 +42,10 @@ std::vector<Paragraph> summary(const Analysis& a, const Report& r) {
     return lines;
   };
   const auto tell = [&](const std::string& text) { out.push_back({Paragraph::Tone::plain, text}); };
+  const scenario::Motion& motion = a.scenario().motion;
+  if (motion.until_singularity && !motion.ending.empty() && motion.value.bottomRows<1>().allFinite())
+    out.push_back({Paragraph::Tone::note, fmt::format("The motion lasts to t = {}, not to the {} asked for, as the scenario allows: it {}.",
+                                                      show_time(a, a.samples() - 1), show(motion.asked, "s"), motion.ending)});
   tell(fmt::format("{} over {}, {} degrees of freedom.", plural(a.samples(), "sample"), show_time(a, a.samples() - 1), a.machine().dof()));
   tell(fmt::format("Motion: {}.", joined(a.scenario().motion.description)));
   tell(fmt::format("Load on the platform: {}.", joined(a.scenario().load.description)));

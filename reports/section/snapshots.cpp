@@ -67,6 +67,12 @@ Stage::Ordered Stage::picture(const mechanics::Machine& machine, const mechanics
   scene::Bounds bounds;
   scene::include(bounds, machine, machine.home_pose());
   scene::include(bounds, machine, pose);
+  return picture(machine, pose, extras, bounds, view, id, caption, width, height);
+}
+
+Stage::Ordered Stage::picture(const mechanics::Machine& machine, const mechanics::Pose& pose, const scene::Extras& extras,
+                              const scene::Bounds& bounds, const scenario::View& view, const std::string& id, const std::string& caption,
+                              int width, int height) const {
   const scene::Camera camera = scene::frame(bounds, view.azimuth, view.elevation, static_cast<double>(width) / height);
   return {{id, caption, "", width, height}, studio_.take(scene::build(machine, pose, extras), camera, {width, height, false, 2})};
 }

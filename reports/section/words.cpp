@@ -75,19 +75,29 @@ std::string sentence(const Analysis& a, const LimitBreach& b) {
 
 std::vector<std::string> reach_sentences(const Analysis& a) {
   std::vector<std::string> out;
+  const scenario::Motion& motion = a.scenario().motion;
   for (const Interval& i : a.unreachable())
-    out.push_back(fmt::format("{}: the mechanism cannot be assembled ({}): {}.", span_of(a, i.first, i.last),
-                              plural(i.last - i.first + 1, "sample"), a.why(i.first)));
+    if (!motion.value.row(i.first).allFinite())
+      out.push_back(fmt::format("The motion {}. {} from {} have no pose.", motion.ending, plural(i.last - i.first + 1, "sample"),
+                                span_of(a, i.first, i.last)));
+    else
+      out.push_back(fmt::format("{}: the mechanism cannot be assembled ({}): {}.", span_of(a, i.first, i.last),
+                                plural(i.last - i.first + 1, "sample"), a.why(i.first)));
   return out;
+}
+
+std::string determinant_words(const Crossing& c) {
+  return c.pole ? "det G changes its sign through infinity" : c.touches ? "det G is zero and keeps its sign" : "det G changes its sign";
 }
 
 std::vector<std::string> singularity_sentences(const Analysis& a) {
   std::vector<std::string> out;
   for (const Crossing& c : a.crossings())
-    out.push_back(
-        fmt::format("Between t = {} and t = {} the motion crosses a singular surface: det G changes its sign. There the actuators do not "
-                    "hold the platform.",
-                    show_time(a, c.before), show_time(a, c.before + 1)));
+    out.push_back(fmt::format(
+        "Between t = {} and t = {} the motion {} a singular surface: {} at t = {} s. {}", show_time(a, c.before),
+        show_time(a, std::min(c.before + 1, a.samples() - 1)), c.touches ? "touches" : "crosses", determinant_words(c),
+        format_number(c.time, 7),
+        c.pole ? "There a limb holds the platform whatever its actuator does." : "There the actuators do not hold the platform."));
   for (int k = 0; k < a.samples(); ++k)
     if (a.condition(k) == Condition::singular)
       out.push_back(fmt::format("t = {}: the pose is singular (condition number {}); forces have no value there.", show_time(a, k),

@@ -26,5 +26,7 @@ std::string sentence(const Analysis& a, const LimitBreach& b);
 // "t = 3.1 s to 3.4 s: cannot be assembled: ..." for each run of unreachable samples; crossings of singular surfaces.
 std::vector<std::string> reach_sentences(const Analysis& a);
 std::vector<std::string> singularity_sentences(const Analysis& a);
+// "det G changes its sign": what it does at a crossing.
+std::string determinant_words(const Crossing& c);
 
 }  // namespace pmreport::section

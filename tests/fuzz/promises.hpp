@@ -17,14 +17,24 @@ inline std::string broken_by_scenario(const std::string& text) {
     const Motion& m = loaded.scenario.motion;
     if (loaded.machine == nullptr) return "a scenario without a machine";
     if (m.time.size() < 2) return "a motion without samples";
-    for (const Eigen::MatrixXd* part : {&m.value, &m.rate, &m.acceleration})
-      if (part->rows() != static_cast<Eigen::Index>(m.time.size()) || part->cols() != loaded.machine->dof() || !part->allFinite())
-        return "a motion that is not finite";
+    for (const Eigen::MatrixXd* part : {&m.value, &m.rate, &m.acceleration}) {
+      if (part->rows() != static_cast<Eigen::Index>(m.time.size()) || part->cols() != loaded.machine->dof())
+        return "a motion of another size";
+      if (!part->allFinite() && m.ending.empty()) return "a motion that is not finite, without a reason";
+    }
     for (const Eigen::Vector3d& f : loaded.scenario.load.force)
       if (!f.allFinite()) return "a force that is not finite";
     if (loaded.scenario.sections.empty()) return "a scenario without sections";
     for (const Check& c : loaded.scenario.checks)
-      if (c.columns.empty() || (!c.below && !c.above)) return "a check of nothing";
+      if (c.columns.empty() == c.quantity.empty() || (!c.below && !c.above)) return "a check of nothing";
+    for (const SectionRequest& r : loaded.scenario.sections) {
+      for (const ComparisonRow& row : r.rows)
+        if (row.here.columns.empty() == row.here.quantity.empty() || !std::isfinite(row.published) || !(row.tolerance >= 0))
+          return "a comparison of nothing";
+      for (const Eigen::VectorXd& q : r.poses)
+        if (q.size() != loaded.machine->dof() || !q.allFinite()) return "a pose that is none";
+      if (r.map && !(r.map->from[0] < r.map->to[0] && r.map->from[1] < r.map->to[1])) return "a map of nothing";
+    }
   } catch (const ScenarioError& e) {
     if (e.diagnostics.empty()) return "a refusal without a reason";
     for (const Diagnostic& d : e.diagnostics) {

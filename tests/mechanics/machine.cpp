@@ -119,8 +119,9 @@ TEST_CASE("a declaration that makes no sense is told by name") {
     std::function<void(Topology&)> spoil;
   };
   const Slip slips[] = {
-      {"declares 1 degrees of freedom, but 2 independent coordinates", [](Topology& t) { t.coordinates.push_back(t.coordinates[0]); }},
-      {"declares 1 degrees of freedom, but 0 actuators", [](Topology& t) { t.actuators.clear(); }},
+      {"declares 1 degrees of freedom, but 2 independent coordinates; Mechanism<1> and topology() must say the same",
+       [](Topology& t) { t.coordinates.push_back(t.coordinates[0]); }},
+      {"declares 1 degrees of freedom, but 0 actuators; is a limb forgotten?", [](Topology& t) { t.actuators.clear(); }},
       {"declares 4 constraint wrenches, expected 5 (6 less the degrees of freedom)", [](Topology& t) { t.constraints.pop_back(); }},
       {"names body 2 as the platform, but has bodies 1 to 1", [](Topology& t) { t.platform = 2; }},
       {"names body 0 as the platform, but has bodies 1 to 1", [](Topology& t) { t.platform = 0; }},

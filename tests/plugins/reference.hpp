@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -13,10 +14,16 @@ using nlohmann::json;
 
 inline constexpr double tolerance = 1e-9;  // promised; what double precision gives is some 1e-13
 
-inline json reference(const std::string& name) {
-  std::ifstream file(TEST_DATA "/" + name);
-  REQUIRE(file);
-  return json::parse(file);
+// Read once and kept, so that a loop over a part of it has something to stand on.
+inline const json& reference(const std::string& name) {
+  static std::map<std::string, json> files;
+  auto found = files.find(name);
+  if (found == files.end()) {
+    std::ifstream file(TEST_DATA "/" + name);
+    REQUIRE(file);
+    found = files.emplace(name, json::parse(file)).first;
+  }
+  return found->second;
 }
 
 // Numbers may stand as texts, with more digits than a double holds.

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <tests/program/workshop.hpp>
 
+#include <algorithm>
 #include <regex>
 
 using namespace program_test;
@@ -22,19 +23,6 @@ std::vector<std::string> blocks(const std::string& language) {
   return out;
 }
 
-void require_success(const std::vector<std::string>& command) {
-  const Result result = run(command);
-  INFO(result.out << result.err);
-  REQUIRE(result.status == 0);
-}
-
-// The program, its plugins and the package, moved to a place of their own: nothing may lead back to where they were built.
-std::filesystem::path install(const Workshop& here) {
-  require_success({CMAKE, "--install", BINARY, "--prefix", (here / "built").string()});
-  std::filesystem::rename(here / "built", here / "prefix");
-  return here / "prefix";
-}
-
 }  // namespace
 
 TEST_CASE("the first scenario of README.md makes a report") {
@@ -50,37 +38,51 @@ TEST_CASE("the first scenario of README.md makes a report") {
   CHECK(std::filesystem::exists(here / "first-report/report.html"));
 }
 
-TEST_CASE("the installed program finds its plugins, and the first plugin of README.md builds against it, holds and reports") {
+TEST_CASE("the installed program finds its plugins where it was installed") {
   const Workshop here;
   const std::string program = (install(here) / "bin/pmreport").string();
   const Result list = run({program, "list"});
   CHECK(list.status == 0);
-  CHECK_THAT(list.out, Contains("4sps-spr") && Contains((here / "prefix").string()) && !Contains(BINARY));
+  CHECK_THAT(list.out, Contains("4sps-spr") && Contains("delta") && Contains((here / "prefix").string()) && !Contains(BINARY));
+}
 
-  REQUIRE(blocks("cpp").size() == 1);
+TEST_CASE("the pieces of a mechanism in README.md stand in plugins/delta/mechanism.cpp, in the same order") {
+  const std::string source = bytes_of(SOURCE "/plugins/delta/mechanism.cpp");
+  const auto pieces = blocks("cpp");
+  REQUIRE(pieces.size() == 5);
+  for (const std::string& piece : pieces) {
+    CAPTURE(piece);
+    CHECK_THAT(source, Contains(piece));
+  }
+  CHECK(source.find(pieces[3]) < source.find(pieces[4]));  // place, then jacobian
+  CHECK_THAT(pieces[3], Contains("void place("));
+  CHECK_THAT(pieces[4], Contains("jacobian("));
+}
+
+TEST_CASE("the Delta's scenario of README.md makes a report") {
+  const Workshop here;
+  here.write("around.toml", blocks("toml").at(1));
+  const Result result = pmreport({"around.toml"}, {.folder = here.path()});
+  INFO(result.out << result.err);
+  CHECK(result.status == 0);
+  const auto statics = columns(here / "around-report/data/statics.csv");
+  for (const char* motor : {"theta1_force", "theta2_force", "theta3_force"}) {
+    REQUIRE(statics.at(motor).size() == 101);
+    for (const double torque : statics.at(motor)) CHECK(torque < 0);  // the motors hold the weights up, and positive lowers
+  }
+}
+
+TEST_CASE("README.md shows the commands and the CMakeLists.txt of a new mechanism") {
+  const Workshop here;
+  REQUIRE(pmreport({"new", "mechanism", "my-robot"}, {.folder = here.path()}).status == 0);
   REQUIRE(blocks("cmake").size() == 1);
-  here.write("mine/tilt_table.cpp", blocks("cpp")[0]);
-  here.write("mine/CMakeLists.txt", blocks("cmake")[0]);
-  here.write("mine/sun.toml", blocks("toml").at(1));
-  const std::string mine = (here / "mine").string(), build = mine + "/build";
-  require_success({CMAKE, "-G", GENERATOR, "-S", mine, "-B", build, "-DCMAKE_PREFIX_PATH=" + (here / "prefix").string(),
-                   "-DCMAKE_CXX_COMPILER=" CXX, "-DCMAKE_MAKE_PROGRAM=" MAKE, "-DCMAKE_BUILD_TYPE=Debug",
-                   "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wconversion -Werror"});
-  require_success({CMAKE, "--build", build});
-
-  const Result check = run({program, "check", build + "/tilt-table.so", "--poses", "200"});
-  INFO(check.out << check.err);
-  CHECK(check.status == 0);
-  CHECK_THAT(run({program, "describe", "tilt-table", "--plugin-path", build}).out, Contains("Tilt table, 2-SPS-U"));
-  const Result report = run({program, mine + "/sun.toml", "--plugin-path", build}, {.folder = mine});
-  INFO(report.out << report.err);
-  CHECK(report.status == 0);
-
-  // At the start and the end of the motion both legs are upright and nothing weighs on the table to either side: a leg carries the part of
-  // itself that slides, 0.5 kg, and its cylinder rests on the base.
-  const auto statics = columns(here / "mine/sun-report/data/statics.csv");
-  for (const char* leg : {"l1_force", "l2_force"})
-    for (const std::size_t k : {std::size_t{0}, std::size_t{40}}) CHECK(statics.at(leg).at(k) == Approx(0.5 * 9.81).epsilon(1e-9));
+  CHECK(blocks("cmake")[0] == bytes_of(here / "my-robot/CMakeLists.txt"));
+  const std::string readme = bytes_of(here / "my-robot/README.md"), opening = "```sh\n";
+  const auto begin = readme.find(opening) + opening.size();
+  const auto shown = blocks("sh");
+  CHECK(std::find(shown.begin(), shown.end(),
+                  "pmreport new mechanism my-robot\ncd my-robot\n" + readme.substr(begin, readme.find("```", begin) - begin)) !=
+        shown.end());
 }
 
 TEST_CASE("README.md names every option and every exit status of the program") {
@@ -93,10 +95,13 @@ TEST_CASE("README.md names every option and every exit status of the program") {
     CHECK_THAT(text, Contains(at->str()));
   }
   CHECK(options >= 5);
-  for (const char* command : {"list", "describe", "check"}) {
+  for (const char* command : {"list", "describe", "check", "new"}) {
     CHECK_THAT(help, Contains(command));
     CHECK_THAT(text, Contains(std::string("`pmreport ") + command));
   }
-  CHECK(std::filesystem::exists(SOURCE "/plugins/4sps-spr/home.png"));
-  CHECK(std::filesystem::file_size(SOURCE "/plugins/4sps-spr/home.png") < 300 * 1024);
+  for (const char* picture : {SOURCE "/plugins/4sps-spr/home.png", SOURCE "/plugins/delta/home.png"}) {
+    REQUIRE(std::filesystem::exists(picture));
+    CHECK(std::filesystem::file_size(picture) < 300 * 1024);
+    CHECK_THAT(text, Contains("](" + std::string(picture).substr(std::string(SOURCE "/").size()) + ")"));
+  }
 }

@@ -62,6 +62,19 @@ std::string with(std::string_view scenario, const std::vector<std::pair<std::str
   return text;
 }
 
+Result succeed(const std::vector<std::string>& command, const Surroundings& surroundings) {
+  Result result = run(command, surroundings);
+  if (result.status != 0)
+    throw std::runtime_error(command.front() + " ended with " + std::to_string(result.status) + "\n" + result.out + result.err);
+  return result;
+}
+
+fs::path install(const Workshop& here) {
+  succeed({CMAKE, "--install", BINARY, "--prefix", (here / "built").string()});
+  fs::rename(here / "built", here / "prefix");
+  return here / "prefix";
+}
+
 std::map<std::string, std::vector<double>> columns(const fs::path& csv) {
   std::istringstream lines(bytes_of(csv));
   std::vector<std::string> names;

@@ -69,6 +69,13 @@ below = "400 N"
 // A scenario with every first part replaced, once, by the second. Throws when a part is not there.
 std::string with(std::string_view scenario, const std::vector<std::pair<std::string, std::string>>& changes);
 
+// Runs a command that must succeed; throws with all that it wrote when it does not.
+Result succeed(const std::vector<std::string>& command, const Surroundings& surroundings = {});
+
+// The program, its plugins and the package, installed in a folder of the workshop and moved to another: nothing may lead back to where they
+// were built. Returns the prefix.
+std::filesystem::path install(const Workshop& here);
+
 // The columns of a data file by name; a cell without a number is a NaN.
 std::map<std::string, std::vector<double>> columns(const std::filesystem::path& csv);
 

@@ -1,0 +1,169 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <core/mechanics/columns.hpp>
+#include <core/mechanics/quantities.hpp>
+#include <core/scenario/parts.hpp>
+#include <core/scenario/text.hpp>
+
+namespace pmreport::scenario {
+namespace {
+
+const std::vector<std::string> reductions{"min", "max", "rms", "at"};
+constexpr const char* forms = "write max(abs(actuator_force)), min(l1), rms(x_rate), at(l1, 2.5 s) or mobility.freedoms";
+
+struct Piece {  // of the text
+  std::string_view text;
+  std::size_t offset = 0;
+};
+
+Piece piece(const std::string& whole, std::size_t begin, std::size_t end) {
+  const std::string_view raw = std::string_view(whole).substr(begin, end - begin), text = trim(raw);
+  return {text, text.empty() ? begin : static_cast<std::size_t>(text.data() - whole.data())};
+}
+
+// What stands in "name( ... )", parts without blanks around them.
+struct Call {
+  Piece name, inside;
+};
+Call call(const std::string& whole, const Piece& p) {
+  const std::size_t open = p.text.find('(');
+  if (open == std::string_view::npos || p.text.back() != ')')
+    throw ExpressionError(p.offset, fmt::format("expected a reduction of a column, seen {}", in_quotes(p.text)), forms);
+  return {piece(whole, p.offset, p.offset + open), piece(whole, p.offset + open + 1, p.offset + p.text.size() - 1)};
+}
+
+// "max(abs(actuator_force))" or "at(l1, 2.5 s)": the reduction goes to `measured`; where its parts stand is returned.
+struct Parts {
+  Piece column, time;  // column: or a group of columns
+};
+Parts parse_that(const std::string& that, Measured& measured) {
+  const Call outer = call(that, piece(that, 0, that.size()));
+  measured.reduction = outer.name.text;
+  if (std::find(reductions.begin(), reductions.end(), measured.reduction) == reductions.end())
+    throw ExpressionError(outer.name.offset,
+                          fmt::format("expected {}, seen {}{}", listed(reductions), in_quotes(measured.reduction),
+                                      did_you_mean(measured.reduction, reductions)),
+                          forms);
+  Piece inside = outer.inside, time{};
+  if (measured.reduction == "at") {
+    const std::size_t comma = inside.text.rfind(',');
+    if (comma == std::string_view::npos)
+      throw ExpressionError(inside.offset + inside.text.size(), "expected a comma and a time (e.g. \"at(l1, 2.5 s)\")");
+    time = piece(that, inside.offset + comma + 1, inside.offset + inside.text.size());
+    inside = piece(that, inside.offset, inside.offset + comma);
+    try {
+      const Expression t = Expression::parse(time.text, Time::forbidden);
+      if (t.dimension() != Dimension{0, 0, 1, 0})
+        throw ExpressionError(0, fmt::format("expected a time (e.g. \"2.5 s\"), seen {}", name_of(t.dimension())));
+      measured.time = t.at(0).value;
+    } catch (const ExpressionError& e) {
+      throw ExpressionError(time.offset + e.offset, e.what(), e.hint);
+    }
+  }
+  if (inside.text.find('(') == std::string_view::npos) return {inside, time};
+  const Call absolute = call(that, inside);
+  if (absolute.name.text != "abs")
+    throw ExpressionError(absolute.name.offset, fmt::format("expected abs or a column, seen {}", in_quotes(absolute.name.text)), forms);
+  measured.absolute = true;
+  return {absolute.inside, time};
+}
+
+// Finds the columns of a name: a column or a group of a section that the report has.
+void resolve(const Piece& name, const std::vector<SectionRequest>& sections, const Topology& topology, Measured& measured) {
+  std::vector<std::string> known, groups;
+  bool mixed = false;
+  for (const std::string& section : mechanics::sections_with_columns()) {
+    const bool requested =
+        std::any_of(sections.begin(), sections.end(), [&](const SectionRequest& s) { return s.kind == section || s.kind.empty(); });
+    for (const mechanics::Column& column : mechanics::columns_of(section, topology)) {
+      const bool meant = column.name == name.text || column.group == name.text;
+      if (meant && !requested) {
+        throw ExpressionError(
+            name.offset,
+            fmt::format("{} belongs to the section {}, which this scenario does not have", in_quotes(name.text), in_quotes(section)),
+            fmt::format("add [[section]] and kind = \"{}\"", section));
+      }
+      known.push_back(column.name);
+      if (std::find(groups.begin(), groups.end(), column.group) == groups.end()) groups.push_back(column.group);
+      if (!meant) continue;
+      mixed = mixed || (!measured.columns.empty() && column.unit != measured.unit);
+      measured.columns.push_back(column.name);
+      measured.unit = column.unit;
+    }
+  }
+  known.insert(known.end(), groups.begin(), groups.end());
+  if (measured.columns.empty())
+    throw ExpressionError(
+        name.offset, fmt::format("no column or group is called {}{}", in_quotes(name.text), did_you_mean(name.text, known)),
+        fmt::format("the groups of columns are {}; a single column is called as in the data files", listed(groups, "and")));
+  if (mixed)
+    throw ExpressionError(name.offset, fmt::format("the columns of {} have different units", in_quotes(name.text)),
+                          fmt::format("name one of them: {}", listed(measured.columns)));
+}
+
+// Finds a quantity that a section names, "mobility.redundant".
+void resolve_quantity(const std::string& that, const std::vector<SectionRequest>& sections, Measured& measured) {
+  std::vector<std::string> known;
+  for (const std::string& kind : mechanics::sections_with_quantities()) {
+    const auto section =
+        std::find_if(sections.begin(), sections.end(), [&](const SectionRequest& s) { return s.kind == kind || s.kind.empty(); });
+    // Without its section nobody knows how many poses it would have had; any number is as good.
+    const std::size_t poses = section != sections.end() ? section->poses.size() : most_poses;
+    for (const mechanics::Quantity& q : mechanics::quantities_of(kind, poses)) {
+      known.push_back(q.name);
+      if (q.name != that) continue;
+      if (section == sections.end())
+        throw ExpressionError(
+            0, fmt::format("{} belongs to the section {}, which this scenario does not have", in_quotes(that), in_quotes(kind)),
+            fmt::format("add [[section]] and kind = \"{}\"", kind));
+      measured.quantity = q.name;
+      measured.unit = q.unit;
+      measured.count = q.count;
+      return;
+    }
+  }
+  const std::string kind = that.substr(0, that.find('.'));
+  std::vector<std::string> own;
+  for (const std::string& name : known)
+    if (name.starts_with(kind + ".")) own.push_back(name);
+  const auto asked = std::find_if(sections.begin(), sections.end(), [&](const SectionRequest& s) { return s.kind == kind; });
+  if (asked == sections.end() && own.size() > most_poses) own.resize(own.size() - 2 * most_poses);
+  throw ExpressionError(0, fmt::format("no quantity is called {}{}", in_quotes(that), did_you_mean(that, known)),
+                        own.empty()
+                            ? fmt::format("the sections with quantities are {}", listed(mechanics::sections_with_quantities(), "and"))
+                            : fmt::format("the quantities of {} are {}", kind, listed(own, "and")));
+}
+
+// A name with a point in it and no reduction around it.
+bool names_quantity(std::string_view text) { return text.find('(') == std::string_view::npos && text.find('.') != std::string_view::npos; }
+
+}  // namespace
+
+std::optional<Measured> read_measured(const Value& value, const Measurable& measurable, const Reader& reader) {
+  const auto text = reader.text(value);
+  if (!text) return std::nullopt;
+  Measured out;
+  out.that = *text;
+  try {
+    if (names_quantity(*text)) {
+      resolve_quantity(std::string(trim(*text)), measurable.sections, out);
+      return out;
+    }
+    const auto [name, time] = parse_that(*text, out);
+    const auto& interval = measurable.interval;
+    if (out.reduction == "at" && interval && !(out.time >= interval->begin && out.time <= interval->end))
+      throw ExpressionError(time.offset,
+                            fmt::format("expected a time within the motion, {} s to {} s, seen {} s", format_number(interval->begin, 6),
+                                        format_number(interval->end, 6), format_number(out.time, 6)));
+    if (measurable.topology) resolve(name, measurable.sections, *measurable.topology, out);
+  } catch (const ExpressionError& e) {
+    reader.refuse(value, e);
+    return std::nullopt;
+  }
+  return out;
+}
+
+bool judged(const Measured& m) { return !m.quantity.empty() || !m.columns.empty(); }
+
+}  // namespace pmreport::scenario
