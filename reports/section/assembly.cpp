@@ -33,7 +33,10 @@ std::string working_mode(const AssemblyModes& found, std::size_t word) {
 // Coordinates of a mode in the units that read best for all modes.
 document::Table table_of(const Analysis& a, const AssemblyModes& found, bool has_words) {
   const Topology& t = a.machine().topology();
-  document::Table table{"Assembly modes, nearest to the pose of the motion first; a dot marks the mode that the mechanism is in.",
+  const bool has_present =
+      std::any_of(found.modes.begin(), found.modes.end(), [&](const AssemblyMode& m) { return m.distance < present * a.length(); });
+  document::Table table{std::string("Assembly modes, nearest to the pose of the motion first") +
+                            (has_present ? "; a dot marks the mode that the mechanism is in." : "."),
                         {"", "mode"},
                         {false, true},
                         {}};
@@ -129,7 +132,8 @@ std::string searched(const AssemblyModes& found) {
 
 class Along {  // the motion, and the modes that accompany it
  public:
-  Along(const Analysis& a, const AssemblyModes& found, int start, const mechanics::AssemblyOptions& options) : a_(a) {
+  Along(const Analysis& a, const AssemblyModes& found, int start, const mechanics::AssemblyOptions& options)
+      : a_(a), listed_(found.modes.size()) {
     const scenario::Motion& motion = a.scenario().motion;
     const int n = a.samples();
     std::vector<int> later;
@@ -145,8 +149,7 @@ class Along {  // the motion, and the modes that accompany it
     quick.most_starts = 300;
     tracks_ = mechanics::follow_assembly_modes(found, a.time(), pose, start, later, a.length(), quick);
     // Numbers of the modes as the table has them; those that are born later go on from there.
-    std::size_t later_born = found.modes.size();
-    std::size_t next = 0;
+    std::size_t later_born = listed_, next = 0;
     for (std::size_t k = 0; k < found.modes.size(); ++k) {
       const bool own = found.modes[k].word == 0 && found.modes[k].distance < 1e-5 * a.length();
       if (!own && next < tracks_.tracks.size()) numbers_.push_back(k + 1), ++next;
@@ -159,8 +162,10 @@ class Along {  // the motion, and the modes that accompany it
 
   std::vector<std::string> sentences() const {
     std::vector<std::string> out;
-    out.push_back(fmt::format("Along the motion mode {} comes nearest to the pose of the mechanism: {} away at t = {}.",
-                              numbers_[tracks_.least_track], show(tracks_.least, "m"), show_time(a_, tracks_.least_sample)));
+    const std::size_t nearest = numbers_[tracks_.least_track];
+    out.push_back(fmt::format("Along the motion mode {}{} comes nearest to the pose of the mechanism: {} away at t = {}.", nearest,
+                              nearest > listed_ ? ", which comes into being on the way," : "", show(tracks_.least, "m"),
+                              show_time(a_, tracks_.least_sample)));
     for (const Event& e : events()) {
       const std::string when = fmt::format("t = {}", show(e.time, "s", 4));
       std::string s = fmt::format("At {} ", when);
@@ -250,6 +255,7 @@ class Along {  // the motion, and the modes that accompany it
  private:
   const Analysis& a_;
   mechanics::ModeTracks tracks_;
+  std::size_t listed_;  // modes in the table
   std::vector<std::size_t> numbers_;
 };
 

@@ -100,17 +100,21 @@ std::vector<std::string> freedom_sentences(const Surroundings& home, const Mobil
 
   std::vector<int> all;
   for (int j = 0; j < static_cast<int>(home.state.joints.size()); ++j) all.push_back(j);
+  std::vector<std::string> axes;  // of couples
   for (const auto& w : readable_basis(f.constraints, landmarks_of(home.machine.topology(), home.state, all), home.length)) {
-    std::string held = "The limbs hold it against " + wrench_words(home, w.screw);
-    if (w.screw.is_free())
-      held += ": it cannot turn about this direction.";
-    else if (w.screw.is_line())
-      held +=
-          ": those of its points that are on this line cannot move along it, and a motion in that direction comes only with a rotation.";
-    else
-      held += ": a turn about this axis comes with a translation along it.";
-    out.push_back(held);
+    if (w.screw.is_free()) {
+      axes.push_back(direction_words(home, w.screw.direction));
+      continue;
+    }
+    out.push_back("The limbs hold it against " + wrench_words(home, w.screw) +
+                  (w.screw.is_line()
+                       ? ": those of its points that are on this line cannot move along it, and a motion in that direction comes "
+                         "only with a rotation."
+                       : ": a turn about this axis comes with a translation along it."));
   }
+  if (!axes.empty())
+    out.push_back(fmt::format("The limbs hold it against {} about {}: it cannot turn about {}.", axes.size() == 1 ? "a couple" : "couples",
+                              listed(axes), axes.size() == 1 ? "this direction" : "these directions"));
 
   std::vector<std::string> kinds;
   for (const MobilityAt& m : elsewhere) kinds.push_back(symbol_of(m));

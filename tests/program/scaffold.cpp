@@ -156,7 +156,7 @@ TEST_CASE("check of several mechanisms ends with a table of them") {
   const std::string table = result.out.substr(result.out.rfind("\nmechanism "));
   CHECK(std::regex_search(table, std::regex("\n4sps-spr +([0-9]+) of \\1 pass +[0-9].*[a-z]\n")));
   CHECK(std::regex_search(table, std::regex("\ndelta +([0-9]+) of \\1 pass ")));
-  CHECK(std::regex_search(table, std::regex("\nlying +[0-9]+ of [0-9]+ FAIL ")));
+  CHECK(std::regex_search(table, std::regex("\nplain-slider +[0-9]+ of [0-9]+ FAIL ")));
   CHECK(std::count(table.begin(), table.end(), '\n') == 5);
   CHECK(pmreport({"check", "4sps-spr", "delta", "--poses", "5"}).status == 0);
 }

@@ -65,7 +65,8 @@ TEST_CASE("every residual of a sound mechanism is rounding") {
     CAPTURE(m);
     const section::Worst w = r.analysis.worst(static_cast<section::Measure>(m));
     CHECK(w.value < 1e-9);
-    CHECK(w.compared == 21);
+    const bool stated = static_cast<section::Measure>(m) != section::Measure::source;  // this mechanism's source states no matrices
+    CHECK(w.compared == (stated ? 21 : 0));
   }
 }
 
