@@ -48,6 +48,7 @@ class Follower {
  private:
   bool met(const Place& place, std::size_t sample, const std::vector<Places>& others) const;
   bool step(Place& place, double& t, double to);
+  bool neighbours(std::size_t a, std::size_t b) const;
   std::optional<Place> solve(const Place& from, const SmallVector& actuators, std::size_t word);
 
   const std::vector<WorkingMode>& words_;
@@ -66,6 +67,14 @@ std::optional<Place> Follower::solve(const Place& from, const SmallVector& actua
   return to;
 }
 
+// A limb that comes to the edge of its reach goes on in its other solution: words that differ in one choice.
+bool Follower::neighbours(std::size_t a, std::size_t b) const {
+  const ParameterValues &x = words_[a].machine->values(), &y = words_[b].machine->values();
+  int different = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) different += x[i] != y[i];
+  return different == 1;
+}
+
 // From the mode at time t to that at time `to`. False where it ends before; t is then when.
 bool Follower::step(Place& place, double& t, double to) {
   const double least = std::abs(to - t) * shortest;
@@ -79,7 +88,7 @@ bool Follower::step(Place& place, double& t, double to) {
       found = solve(place, l, place.word);
       if (!found && std::abs(h) <= 4 * least)
         for (std::size_t w = 0; w < words_.size() && !found; ++w)
-          if (w != place.word) found = solve(place, l, w);
+          if (neighbours(place.word, w)) found = solve(place, l, w);
     }
     if (found) {
       place = std::move(*found);

@@ -40,7 +40,7 @@ std::string to_png(const Image& image) {
   Writer w;
   if (w.info == nullptr) throw std::runtime_error("PNG: no memory");
   png_set_write_fn(w.png, &out, append, nothing_to_flush);
-  png_set_compression_level(w.png, 6);
+  png_set_compression_level(w.png, 4);
   png_set_filter(w.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
   png_set_IHDR(w.png, w.info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
                opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,

@@ -22,7 +22,7 @@ using mechanics::AssemblyModes;
 namespace {
 
 constexpr std::size_t most_pictures = 12, most_curves = 6;
-constexpr int picture_width = 800, picture_height = 600;
+constexpr scene::Quality small_and_many{800, 600, false, 1};  // a quarter of the work of a snapshot's pixel
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double present = 1e-6;  // of the characteristic length: the mode that the mechanism is in
 
@@ -95,7 +95,7 @@ document::Gallery pictures(const Analysis& a, const AssemblyModes& found, const 
     caption += m.determinant > 0 ? ", det G > 0" : ", det G < 0";
     if (!found.words[m.word].name.empty()) caption += "; " + found.words[m.word].name;
     ordered.push_back(stage.picture(*found.words[m.word].machine, m.pose, extras, bounds, view, fmt::format("assembly-{}", k + 1), caption,
-                                    picture_width, picture_height));
+                                    small_and_many));
   }
   for (Stage::Ordered& o : ordered) {
     progress.stop_if_asked();

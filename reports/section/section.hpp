@@ -22,12 +22,9 @@ class Stage {
   };
   Ordered picture(int sample, const scenario::View& view, const scenario::SectionRequest& r, const std::string& id) const;
   Ordered portrait(const std::string& id) const;  // the home pose, with labels and frames
-  // Any pose of a machine of this mechanism, framed by itself and the home pose.
-  Ordered picture(const mechanics::Machine& machine, const mechanics::Pose& pose, const scene::Extras& extras, const scenario::View& view,
-                  const std::string& id, const std::string& caption, int width = 1600, int height = 1200) const;
-  // Likewise, framed by `bounds`: pictures that are to compare share them.
+  // Any pose of a machine of this mechanism, framed by `bounds`: pictures that are to compare share them.
   Ordered picture(const mechanics::Machine& machine, const mechanics::Pose& pose, const scene::Extras& extras, const scene::Bounds& bounds,
-                  const scenario::View& view, const std::string& id, const std::string& caption, int width, int height) const;
+                  const scenario::View& view, const std::string& id, const std::string& caption, const scene::Quality& quality) const;
 
  private:
   const Analysis& analysis_;

@@ -162,7 +162,7 @@ Stage::Ordered portrait(const mechanics::Machine& m, const ExaminedPose& p, doub
   scene::include(bounds, m, pose, extras.screws[0]);
   const std::string caption = p.at.freedoms.platform > 0 ? p.name + ": with the actuators locked the platform escapes by the twist $."
                                                          : p.name + ": the twist $ that the actuators hold least.";
-  return stage.picture(m, pose, extras, bounds, isometric, fmt::format("singularity-{}", number), caption, 1600, 1200);
+  return stage.picture(m, pose, extras, bounds, isometric, fmt::format("singularity-{}", number), caption, {800, 600, false, 2});
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ Stage::Ordered Stage::picture(int sample, const scenario::View& view, const scen
 }
 
 Stage::Ordered Stage::portrait(const std::string& id) const {
-  const scene::Quality quality{};
+  const scene::Quality quality{1280, 960, false, 2};
   const mechanics::Machine& machine = analysis_.machine();
   scene::Bounds home;
   scene::include(home, machine, machine.home_pose());
@@ -63,18 +63,10 @@ Stage::Ordered Stage::portrait(const std::string& id) const {
 }
 
 Stage::Ordered Stage::picture(const mechanics::Machine& machine, const mechanics::Pose& pose, const scene::Extras& extras,
-                              const scenario::View& view, const std::string& id, const std::string& caption, int width, int height) const {
-  scene::Bounds bounds;
-  scene::include(bounds, machine, machine.home_pose());
-  scene::include(bounds, machine, pose);
-  return picture(machine, pose, extras, bounds, view, id, caption, width, height);
-}
-
-Stage::Ordered Stage::picture(const mechanics::Machine& machine, const mechanics::Pose& pose, const scene::Extras& extras,
                               const scene::Bounds& bounds, const scenario::View& view, const std::string& id, const std::string& caption,
-                              int width, int height) const {
-  const scene::Camera camera = scene::frame(bounds, view.azimuth, view.elevation, static_cast<double>(width) / height);
-  return {{id, caption, "", width, height}, studio_.take(scene::build(machine, pose, extras), camera, {width, height, false, 2})};
+                              const scene::Quality& quality) const {
+  const scene::Camera camera = scene::frame(bounds, view.azimuth, view.elevation, static_cast<double>(quality.width) / quality.height);
+  return {{id, caption, "", quality.width, quality.height}, studio_.take(scene::build(machine, pose, extras), camera, quality)};
 }
 
 document::Section snapshots_section(const Analysis& a, const scenario::SectionRequest& r, const Stage& stage, const Progress& progress,
