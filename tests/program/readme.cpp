@@ -99,7 +99,7 @@ TEST_CASE("README.md names every option and every exit status of the program") {
     CHECK_THAT(help, Contains(command));
     CHECK_THAT(text, Contains(std::string("`pmreport ") + command));
   }
-  for (const char* picture : {SOURCE "/plugins/4sps-spr/home.png", SOURCE "/plugins/delta/home.png"}) {
+  for (const char* picture : {SOURCE "/plugins/gallery.png", SOURCE "/plugins/delta/home.png"}) {
     REQUIRE(std::filesystem::exists(picture));
     CHECK(std::filesystem::file_size(picture) < 300 * 1024);
     CHECK_THAT(text, Contains("](" + std::string(picture).substr(std::string(SOURCE "/").size()) + ")"));
