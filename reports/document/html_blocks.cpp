@@ -28,7 +28,9 @@ void write_table(Page& page, const Table& table) {
               if (c == 0) {
                 html.element("th", {{"scope", "row"}, {"class", side(c)}}, row[c]);
               } else {
-                html.element("td", {{"class", side(c)}}, row[c]);
+                // A list of numbers may break after its commas, so that it does not push the columns after it off a narrow screen.
+                const bool list = side(c) == std::string_view("number") && row[c].find(", ") != std::string::npos;
+                html.element("td", {{"class", list ? "number list" : side(c)}}, row[c]);
               }
             }
           });

@@ -58,7 +58,7 @@ th:last-child, td:last-child { padding-right: .2rem; }
 thead th { color: var(--quiet); font-weight: 600; vertical-align: bottom; border-bottom: 1px solid var(--ink); }
 tbody th { font-weight: 400; }
 tbody tr:last-child > * { border-bottom-color: var(--ink); }
-.number { text-align: right; white-space: nowrap; }
+.number { text-align: right; white-space: nowrap; } .list { white-space: normal; }
 .proof { width: 100%; min-width: 36rem; }
 .proof tbody th > div:first-child { font-weight: 500; }
 .how { color: var(--quiet); font-size: .875rem; max-width: 34rem; }

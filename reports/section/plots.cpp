@@ -11,18 +11,24 @@ namespace pmreport::section {
 
 using mechanics::Column;
 
+namespace {
+// SI. What is smaller is the rounding of sums that vanish: figures and tables show zero, data files the number.
+constexpr double rounding = 1e-13;
+double shown(double x) { return std::abs(x) < rounding ? 0 : x; }
+}  // namespace
+
 figure::Panel panel(const Analysis& a, const std::string& title, const std::string& axis, const std::string& unit,
                     const std::vector<Curve>& curves) {
   std::vector<std::string> names;
   for (const Curve& c : curves) names.push_back(c.column);
-  const DisplayUnit d = display_unit(unit, a.largest(names));
+  const DisplayUnit d = display_unit(unit, shown(a.largest(names)));
   figure::Panel p;
   p.title = title;
   p.x = {"time", "s"};
   p.y = {axis, d.label};
   for (const Curve& c : curves) {
     figure::Series s{c.label, a.time(), a.column(c.column), -1};
-    for (double& y : s.y) y *= d.per_si;
+    for (double& y : s.y) y = shown(y) * d.per_si;
     p.series.push_back(std::move(s));
   }
   // A sample stands for the time halfway to its neighbours.
@@ -73,7 +79,7 @@ document::Table extremes(const Analysis& a, const std::string& caption, const st
       table.rows.push_back({c.name, c.title, "–", "–", "–", "–", c.unit});
       continue;
     }
-    const double smallest = x[static_cast<std::size_t>(low)], largest = x[static_cast<std::size_t>(high)];
+    const double smallest = shown(x[static_cast<std::size_t>(low)]), largest = shown(x[static_cast<std::size_t>(high)]);
     const DisplayUnit d = display_unit(c.unit, std::max(std::abs(smallest), std::abs(largest)));
     table.rows.push_back({c.name, c.title, typeset(format_number(smallest * d.per_si, 5)), show_time(a, low),
                           typeset(format_number(largest * d.per_si, 5)), show_time(a, high), d.label});
