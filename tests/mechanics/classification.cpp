@@ -2,8 +2,8 @@
 #include <core/mechanics/classification.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <map>
 #include <set>
 
