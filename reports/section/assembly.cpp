@@ -21,7 +21,7 @@ using mechanics::AssemblyModes;
 
 namespace {
 
-constexpr std::size_t most_pictures = 12, most_curves = 6;
+constexpr std::size_t most_pictures = 8, most_curves = 6;
 constexpr scene::Quality small_and_many{800, 600, false, 1};  // a quarter of the work of a snapshot's pixel
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double present = 1e-6;  // of the characteristic length: the mode that the mechanism is in

@@ -52,7 +52,7 @@ Stage::Ordered Stage::picture(int sample, const scenario::View& view, const scen
 }
 
 Stage::Ordered Stage::portrait(const std::string& id) const {
-  const scene::Quality quality{1280, 960, false, 2};
+  const scene::Quality quality{1200, 900, false, 2};
   const mechanics::Machine& machine = analysis_.machine();
   scene::Bounds home;
   scene::include(home, machine, machine.home_pose());
