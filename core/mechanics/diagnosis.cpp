@@ -1,4 +1,5 @@
 #include <core/mechanics/diagnosis.hpp>
+#include <core/mechanics/joint_words.hpp>
 
 #include <fmt/core.h>
 
@@ -15,22 +16,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double degree = std::numbers::pi / 180;
-
-const char* word_of(JointKind k) {
-  switch (k) {
-    case JointKind::revolute:
-      return "revolute";
-    case JointKind::prismatic:
-      return "prismatic";
-    case JointKind::universal:
-      return "universal";
-    case JointKind::spherical:
-      return "spherical";
-    case JointKind::cylindrical:
-      return "cylindrical";
-  }
-  return "";
-}
 
 const Joint& joint_of(const Machine& m, int joint) { return m.topology().joints[static_cast<std::size_t>(joint)]; }
 const std::string& name_of(const Machine& m, int body) { return m.topology().bodies[static_cast<std::size_t>(body)].name; }

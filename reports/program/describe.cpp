@@ -1,3 +1,4 @@
+#include <core/mechanics/joint_words.hpp>
 #include <core/scenario/units.hpp>
 #include <reports/program/describe.hpp>
 
@@ -8,24 +9,9 @@ namespace pmreport::program {
 
 using mechanics::Machine;
 using mechanics::ParameterInfo;
+using mechanics::word_of;
 
 namespace {
-
-const char* word_of(JointKind k) {
-  switch (k) {
-    case JointKind::revolute:
-      return "revolute";
-    case JointKind::prismatic:
-      return "prismatic";
-    case JointKind::universal:
-      return "universal";
-    case JointKind::spherical:
-      return "spherical";
-    case JointKind::cylindrical:
-      return "cylindrical";
-  }
-  return "";
-}
 
 // A number of SI unit `unit` as a scenario would write it.
 std::string quantity(double si, const std::string& display) {

@@ -1,4 +1,5 @@
 // Section `mechanism`: what it is, its parameters, joints and bodies, and its mobility by count and by rank.
+#include <core/mechanics/joint_words.hpp>
 #include <reports/section/section.hpp>
 #include <reports/section/words.hpp>
 
@@ -13,22 +14,6 @@ using document::Paragraph;
 using document::Table;
 
 namespace {
-
-const char* kind_of(JointKind k) {
-  switch (k) {
-    case JointKind::revolute:
-      return "revolute R";
-    case JointKind::prismatic:
-      return "prismatic P";
-    case JointKind::universal:
-      return "universal U";
-    case JointKind::spherical:
-      return "spherical S";
-    case JointKind::cylindrical:
-      return "cylindrical C";
-  }
-  return "";
-}
 
 std::string value_of(const mechanics::ParameterInfo& p, const std::vector<double>& value) {
   if (p.kind == PM_CHOICE) return p.choices[static_cast<std::size_t>(value[0])];
@@ -75,8 +60,8 @@ Table joints(const mechanics::Machine& m) {
         to += (to.empty() ? "" : ", ") + show(r.max, unit);
       }
     }
-    table.rows.push_back({j.name, std::string(kind_of(j.kind)) + (drive != nullptr ? ", drives " + drive->name : ""), body(j.a), body(j.b),
-                          std::to_string(freedoms_of(j.kind)), from, to});
+    table.rows.push_back({j.name, mechanics::word_and_letter(j.kind) + (drive != nullptr ? ", drives " + drive->name : ""), body(j.a),
+                          body(j.b), std::to_string(freedoms_of(j.kind)), from, to});
   }
   return table;
 }

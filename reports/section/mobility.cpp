@@ -1,4 +1,5 @@
 // Section `mobility`: how many freedoms, which, why, and whether they last.
+#include <core/mechanics/joint_words.hpp>
 #include <core/mechanics/singularity.hpp>
 #include <reports/section/mobility.hpp>
 #include <reports/section/section.hpp>
@@ -48,16 +49,13 @@ std::string verdict(const Mobility& home, const std::vector<MobilityAt>& poses) 
 
 Table joint_table(const Topology& t) {
   Table table{"Joints and their freedoms.", {"joint", "freedoms f", "number", "Σf"}, {false, true, true, true}, {}};
-  constexpr std::pair<JointKind, const char*> kinds[] = {{JointKind::revolute, "revolute R"},
-                                                         {JointKind::prismatic, "prismatic P"},
-                                                         {JointKind::universal, "universal U"},
-                                                         {JointKind::cylindrical, "cylindrical C"},
-                                                         {JointKind::spherical, "spherical S"}};
+  constexpr JointKind kinds[] = {JointKind::revolute, JointKind::prismatic, JointKind::universal, JointKind::cylindrical,
+                                 JointKind::spherical};
   int joints = 0, sum = 0;
-  for (const auto& [kind, name] : kinds) {
-    const int n = static_cast<int>(std::count_if(t.joints.begin(), t.joints.end(), [&, k = kind](const Joint& j) { return j.kind == k; }));
+  for (const JointKind kind : kinds) {
+    const int n = static_cast<int>(std::count_if(t.joints.begin(), t.joints.end(), [&](const Joint& j) { return j.kind == kind; }));
     const int f = freedoms_of(kind);
-    if (n > 0) table.rows.push_back({name, std::to_string(f), std::to_string(n), std::to_string(n * f)});
+    if (n > 0) table.rows.push_back({mechanics::word_and_letter(kind), std::to_string(f), std::to_string(n), std::to_string(n * f)});
     joints += n, sum += n * f;
   }
   table.rows.push_back({"all", "", std::to_string(joints), std::to_string(sum)});

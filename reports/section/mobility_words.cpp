@@ -1,3 +1,4 @@
+#include <core/mechanics/joint_words.hpp>
 #include <reports/section/mobility.hpp>
 #include <reports/section/words.hpp>
 
@@ -25,22 +26,6 @@ std::string span_words(const Surroundings& s, const MatrixXd& directions, const 
   return fmt::format("{} {}", across, direction_words(s, normal.col(0)));
 }
 
-char letter(JointKind k) {
-  switch (k) {
-    case JointKind::revolute:
-      return 'R';
-    case JointKind::prismatic:
-      return 'P';
-    case JointKind::universal:
-      return 'U';
-    case JointKind::spherical:
-      return 'S';
-    case JointKind::cylindrical:
-      return 'C';
-  }
-  return '?';
-}
-
 // "SPS" for a chain of few joints, "14 R and 4 P" for more.
 std::string chain_words(const Topology& t, const LimbSystem& l) {
   constexpr std::size_t few = 7;
@@ -54,7 +39,8 @@ std::string chain_words(const Topology& t, const LimbSystem& l) {
       return l.alone && limb > 0 && limb != l.limb;
     };
     if (of_another(joint.a) || of_another(joint.b)) continue;
-    chain += letter(joint.kind), ++counts[letter(joint.kind)];
+    const char letter = mechanics::letter_of(joint.kind);
+    chain += letter, ++counts[letter];
   }
   if (chain.size() <= few) return chain;
   std::vector<std::string> parts;
