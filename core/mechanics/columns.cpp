@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace pmreport::mechanics {
 
 namespace {
@@ -27,7 +29,60 @@ void add_vector(std::vector<Column>& out, const std::string& name, const char* u
     out.push_back({name + "_" + axis, unit, name, fmt::format("{} of the platform, {}", words, axis)});
 }
 
+const char* force_unit(const Actuator& a) { return a.unit == "m" ? "N" : "N*m"; }
+
+// One column an actuator: NAME_suffix.
+void add_forces(std::vector<Column>& out, const Topology& t, const std::string& suffix, const char* words) {
+  for (const Actuator& a : t.actuators)
+    out.push_back({a.name + "_" + suffix, force_unit(a), suffix, fmt::format("{} of {}", words, a.name)});
+}
+void add_of_actuators(std::vector<Column>& out, const Topology& t, const std::string& suffix, const char* unit, const char* words) {
+  for (const Actuator& a : t.actuators) out.push_back({a.name + "_" + suffix, unit, suffix, fmt::format("{} of {}", words, a.name)});
+}
+
+void add_reactions(std::vector<Column>& out, const Topology& t) {
+  for (const Joint& j : t.joints) {
+    out.push_back({j.name + "_force", "N", "joint_force", "size of the force in joint " + j.name});
+    if (j.kind != JointKind::spherical) out.push_back({j.name + "_moment", "N*m", "joint_moment", "size of the moment in joint " + j.name});
+  }
+  for (const bool base : {false, true})
+    for (const Joint& j : t.joints)
+      for (int c = 0; c < 6; ++c) {
+        if (base ? c > 2 && j.kind == JointKind::spherical : !transmits(j.kind, c)) continue;
+        out.push_back({reaction_column(j, c, base), c < 3 ? "N" : "N*m", base ? "base_reaction" : "reaction",
+                       fmt::format("{} in joint {}, {} {}", c < 3 ? "force" : "moment", j.name, base ? "base axis" : "joint axis",
+                                   base ? "xyz"[c % 3] : "123"[c % 3])});
+      }
+  int limbs = 0;
+  for (const Body& b : t.bodies) limbs = std::max(limbs, b.limb);
+  for (int limb = 1; limb <= limbs; ++limb)
+    for (int c = 0; c < 6; ++c)
+      out.push_back(
+          {fmt::format("limb{}_{}_{}", limb, c < 3 ? "force" : "moment", "xyz"[c % 3]), c < 3 ? "N" : "N*m", "limb_wrench",
+           fmt::format("{} of limb {} on the platform, {}", c < 3 ? "force" : "moment about the reference point", limb, "xyz"[c % 3])});
+}
+
 }  // namespace
+
+bool transmits(JointKind kind, int c) {
+  switch (kind) {
+    case JointKind::revolute:
+      return c != 3;
+    case JointKind::prismatic:
+      return c != 0;
+    case JointKind::universal:
+      return c < 3 || c == 5;
+    case JointKind::spherical:
+      return c < 3;
+    case JointKind::cylindrical:
+      return c != 0 && c != 3;
+  }
+  return false;
+}
+
+std::string reaction_column(const Joint& joint, int c, bool base_axes) {
+  return fmt::format("{}_{}_{}", joint.name, c < 3 ? "force" : "moment", (base_axes ? "xyz" : "123")[c % 3]);
+}
 
 std::vector<Column> columns_of(std::string_view section, const Topology& t) {
   std::vector<Column> out;
@@ -58,6 +113,27 @@ std::vector<Column> columns_of(std::string_view section, const Topology& t) {
     for (const Actuator& a : t.actuators)
       out.push_back({a.name + "_force", a.unit == "m" ? "N" : "N*m", "actuator_force", "force of actuator " + a.name});
     for (const Constraint& c : t.constraints) out.push_back({c.name, c.unit, "constraint", c.title});
+  } else if (section == "dynamics") {
+    add_forces(out, t, "dynamic_force", "force");
+    add_forces(out, t, "load_force", "share of the load in the force");
+    add_forces(out, t, "gravity_force", "share of the weights in the force");
+    add_forces(out, t, "inertia_force", "share of inertia in the force");
+    add_of_actuators(out, t, "power", "W", "mechanical power");
+    out.push_back({"total_power", "W", "total_power", "mechanical power of all actuators"});
+    out.push_back({"load_power", "W", "load_power", "power of the load on the platform"});
+    out.push_back({"kinetic_energy", "J", "kinetic_energy", "kinetic energy of all bodies"});
+    out.push_back({"potential_energy", "J", "potential_energy", "potential energy of all bodies, zero at the base's origin"});
+  } else if (section == "drives") {
+    add_forces(out, t, "drive_force", "force that the drive must give");
+    add_of_actuators(out, t, "drive_power", "W", "power that the drive must give");
+    add_of_actuators(out, t, "motor_torque", "N*m", "motor torque");
+    add_of_actuators(out, t, "motor_speed", "rad/s", "motor speed");
+    add_of_actuators(out, t, "motor_power", "W", "motor power");
+    for (const Actuator& a : t.actuators)
+      out.push_back({a.name + "_reflected_inertia", a.unit == "m" ? "kg" : "kg*m^2", "reflected_inertia",
+                     fmt::format("inertia that {} feels, the other actuators held", a.name)});
+  } else if (section == "reactions") {
+    add_reactions(out, t);
   }
   return out;
 }
@@ -67,6 +143,8 @@ std::string joint_column(const Joint& joint, std::size_t limit) {
   return joint.name + "_angle" + (joint.limits.size() > 1 ? std::to_string(limit + 1) : "");
 }
 
-std::vector<std::string> sections_with_columns() { return {"displacement", "velocity", "acceleration", "statics"}; }
+std::vector<std::string> sections_with_columns() {
+  return {"displacement", "velocity", "acceleration", "statics", "dynamics", "drives", "reactions"};
+}
 
 }  // namespace pmreport::mechanics

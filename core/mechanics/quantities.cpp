@@ -36,9 +36,30 @@ std::vector<Quantity> quantities_of(std::string_view section, std::size_t poses)
     return {{"classification.by_rule", "", "schemes that the rule admits"},
             {"classification.base_schemes", "", "base schemes of Table 1"},
             {"classification.six_chains", "", "schemes with six chains of Table 2"}};
+  if (section == "dynamics")
+    return {{"dynamics.peak_force", "N", "largest force of a linear actuator", false},
+            {"dynamics.peak_torque", "N*m", "largest torque of a rotary actuator", false},
+            {"dynamics.peak_power", "W", "largest power of any actuator", false},
+            {"dynamics.work", "J", "work of the actuators over the motion", false},
+            {"dynamics.regenerated", "J", "work that loads and inertia give back to actuators over the motion", false},
+            {"dynamics.energy_drift", "J", "energy that a motion by forces loses or gains by integration", false}};
+  if (section == "drives")
+    return {{"drives.peak_torque", "N*m", "largest motor torque", false},
+            {"drives.peak_speed", "rad/s", "largest motor speed", false},
+            {"drives.peak_power", "W", "largest motor power", false}};
+  if (section == "reactions")
+    return {{"reactions.peak_force", "N", "largest force in any joint", false},
+            {"reactions.peak_moment", "N*m", "largest moment in any joint", false},
+            {"reactions.indeterminate", "", "components of joint reactions that rigid bodies do not determine"},
+            {"reactions.self_stresses", "", "independent self-stresses"}};
+  if (section == "speed")
+    return {{"speed.scale", "", "how many times as fast the motion could run", false},
+            {"speed.duration", "s", "duration of the motion at that speed", false}};
   return {};
 }
 
-std::vector<std::string> sections_with_quantities() { return {"mobility", "singularity", "assembly", "classification"}; }
+std::vector<std::string> sections_with_quantities() {
+  return {"mobility", "singularity", "assembly", "classification", "dynamics", "drives", "reactions", "speed"};
+}
 
 }  // namespace pmreport::mechanics

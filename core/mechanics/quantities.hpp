@@ -14,7 +14,8 @@ struct Quantity {
   bool count = true;  // a whole number
 };
 
-// Of a section kind: "mobility", "singularity" (`poses`: how many it is given), "assembly", "classification". Others: none.
+// Of a section kind: "mobility", "singularity" (`poses`: how many it is given), "assembly", "classification", "dynamics",
+// "drives", "reactions", "speed". Others: none.
 std::vector<Quantity> quantities_of(std::string_view section, std::size_t poses = 0);
 std::vector<std::string> sections_with_quantities();
 

@@ -91,6 +91,10 @@ void refuse_coordinate(Place place, const std::string& name, const MechanismPart
 
 Load read_load(const Entry* entry, const std::vector<double>& time, const Reader& reader);
 
+// [drive], and [limits].
+std::vector<mechanics::DriveTrain> read_drives(const Entry* entry, const MechanismPart& mechanism, const Reader& reader);
+mechanics::MotionLimits read_limits(const Entry* entry, const MechanismPart& mechanism, const Reader& reader);
+
 // A section whose kind cannot be read keeps an empty one.
 std::vector<SectionRequest> read_sections(const Entry* entry, const std::optional<Interval>& interval, const MechanismPart& mechanism,
                                           const Reader& reader);
@@ -99,6 +103,8 @@ std::vector<SectionRequest> read_sections(const Entry* entry, const std::optiona
 void read_snapshots(TableReader& table, const std::optional<Interval>& interval, SectionRequest& request);
 void read_singularity(TableReader& table, const MechanismPart& mechanism, SectionRequest& request);
 void read_assembly(TableReader& table, const std::optional<Interval>& interval, const MechanismPart& mechanism, SectionRequest& request);
+void read_dynamics(TableReader& table, const std::optional<Interval>& interval, SectionRequest& request);
+void read_reactions(TableReader& table, const MechanismPart& mechanism, SectionRequest& request);
 // `measurable`: what rows may name.
 struct Measurable;
 std::vector<ComparisonRow> read_comparison_rows(const Entry& rows, const Measurable& measurable, const Reader& reader);

@@ -75,6 +75,8 @@ Loaded load_text(const std::string& text, const std::filesystem::path& file, con
   MechanismPart mechanism = read_mechanism(table.find("mechanism"), source, reader);
   MotionPart motion = read_motion(table.find("motion"), mechanism, file, reader);
   s.load = read_load(table.find("load"), motion.motion.time, reader);
+  s.drives = read_drives(table.find("drive"), mechanism, reader);
+  s.limits = read_limits(table.find("limits"), mechanism, reader);
   s.sections = read_sections(table.find("section"), motion.interval, mechanism, reader);
   s.checks = read_checks(table.find("check"), {s.sections, mechanism.topology, motion.interval}, reader);
   table.finish();

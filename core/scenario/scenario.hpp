@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <core/mechanics/drive.hpp>
 #include <core/mechanics/machine.hpp>
 #include <core/scenario/units.hpp>
 #include <filesystem>
@@ -35,7 +36,7 @@ class ScenarioError : public std::runtime_error {
 using Path = std::function<bool(double t, double* value, double* rate, double* acceleration)>;
 
 // The motion: independent coordinates against time, with exact first and second derivatives. A scenario prescribes them, or it prescribes
-// the actuators and they follow by forward displacement from home.
+// the actuators and they follow by forward displacement from home, or the forces of the actuators and they follow by forward dynamics.
 struct Motion {
   std::vector<double> time;                   // [s]
   Eigen::MatrixXd value, rate, acceleration;  // one row a sample, one column an independent coordinate, SI; NaN: no pose
@@ -44,15 +45,20 @@ struct Motion {
   bool by_actuators = false;
   Path actuators;                  // as prescribed, if they are: with their rates and accelerations, SI
   bool until_singularity = false;  // the motion may end at a singular surface
+  bool by_forces = false;          // the samples come from forward dynamics; `at` goes through them
+  double work = 0;                 // by forces: of actuators and load over the motion [J]
+  double energy_drift = 0;         // by forces: energy that the integration lost or gained [J]
+  double energy_drift_share = 0;   // the same, relative to the largest energy or work on the way
   double asked = 0;                // when it should have ended [s]
   // Why it ends before: "meets a singular surface at t = 3.314 s: ...". Empty: it does not. With `until_singularity` the samples end there,
   // else those beyond have no pose.
   std::string ending;
 };
 
-struct Load {                                  // wrench on the platform at its reference point, base axes, at every sample
-  std::vector<Eigen::Vector3d> force, moment;  // [N], [N m]
-  Eigen::Vector3d gravity{0, 0, 0};            // [m/s^2]; none unless the scenario gives it: the bodies are weightless then
+struct Load {                                               // wrench on the platform at its reference point, base axes, at every sample
+  std::vector<Eigen::Vector3d> force, moment;               // [N], [N m]
+  Eigen::Vector3d gravity{0, 0, 0};                         // [m/s^2]; none unless the scenario gives it: the bodies are weightless then
+  std::function<Eigen::Matrix<double, 6, 1>(double t)> at;  // force and moment at any time of the motion
   std::string description;
 };
 
@@ -112,6 +118,10 @@ struct SectionRequest {
   double time = 0;            // [s]
   Eigen::VectorXd actuators;  // SI; empty: those at `time`
   bool working_modes = true;  // with every word of the choices of working mode, else as the scenario sets them
+  // dynamics: mass matrix, Coriolis and gravity terms at these times
+  std::vector<double> equations;  // [s]
+  // reactions: the joints whose reactions are drawn; empty: those with the largest
+  std::vector<int> joints;
   // comparison
   std::string source;  // of all rows; may be empty
   std::vector<ComparisonRow> rows;
@@ -132,6 +142,8 @@ struct Scenario {
   std::vector<std::size_t> parameters_set;  // indices of those that the scenario gives
   Motion motion;
   Load load;
+  std::vector<mechanics::DriveTrain> drives;  // one an actuator; empty: the scenario has no [drive]
+  mechanics::MotionLimits limits;             // from [limits]; all lists as long as the topology's
   std::vector<SectionRequest> sections;
   std::vector<Check> checks;
 };

@@ -10,7 +10,8 @@ namespace {
 constexpr double most_random_poses = 10000;
 
 const std::vector<std::string>& kinds() {
-  static const std::vector<std::string> all{"mechanism", "snapshots",   "displacement", "velocity",   "acceleration",  "statics",
+  static const std::vector<std::string> all{"mechanism", "snapshots",   "displacement", "velocity",   "acceleration",
+                                            "statics",   "dynamics",    "drives",       "reactions",  "speed",
                                             "mobility",  "singularity", "assembly",     "comparison", "classification"};
   return all;
 }
@@ -67,6 +68,8 @@ std::vector<SectionRequest> read_sections(const Entry* entry, const std::optiona
       if (const Entry* poses = table.find("poses"))
         request.random_poses = static_cast<int>(reader.integer(poses->value, 1, most_random_poses).value_or(request.random_poses));
     if (request.kind == "singularity") read_singularity(table, mechanism, request);
+    if (request.kind == "dynamics") read_dynamics(table, interval, request);
+    if (request.kind == "reactions") read_reactions(table, mechanism, request);
     if (request.kind == "assembly") read_assembly(table, interval, mechanism, request);
     if (request.kind == "comparison") {
       if (const Entry* e = table.find("source")) request.source = reader.text(e->value).value_or("");

@@ -28,6 +28,9 @@ Analysis::Analysis(const scenario::Scenario& scenario, const mechanics::Machine&
   evaluate(machine, home.data(), still.data(), still.data(), s);
   mobility_ = mechanics::mobility(machine, s);
   run(progress);
+  dynamics_ =
+      asks_for(scenario, "dynamics") || asks_for(scenario, "reactions") || asks_for(scenario, "speed") || asks_for(scenario, "drives");
+  if (dynamics_) run_dynamics(progress);
   find_breaches();
   find_crossings();
 }

@@ -4,6 +4,7 @@
 
 #include <core/mechanics/columns.hpp>
 #include <core/mechanics/generic_model.hpp>
+#include <core/mechanics/reactions.hpp>
 #include <core/scenario/scenario.hpp>
 
 #include <array>
@@ -14,6 +15,8 @@
 #include <vector>
 
 namespace pmreport::section {
+
+using mechanics::Indeterminate;
 
 // The residuals kept of each sample. Relative ones are dimensionless.
 enum class Measure : std::size_t {
@@ -32,6 +35,10 @@ enum class Measure : std::size_t {
   statics,                  // actuator forces by G against the system over all bodies
   equilibrium,              // unbalanced force or moment of any body in that system
   power,                    // virtual power of actuators, load and weights
+  newton_euler,             // actuator forces by virtual work against the free bodies
+  free_body,                // unbalanced force or moment of any body, reactions and inertia included
+  power_balance,            // power of actuators and load against the rate of kinetic and potential energy
+  judge,                    // reactions limb by limb against the system over all bodies
   count
 };
 
@@ -91,6 +98,10 @@ class Analysis {
   const std::string& why(int sample) const;  // of a sample that is not good
   Worst worst(Measure m) const;
 
+  bool has_dynamics() const { return dynamics_; }                                     // a section asks for forces in motion
+  const std::vector<Indeterminate>& indeterminate() const { return indeterminate_; }  // of each joint, in any sample
+  int self_stresses() const { return self_stresses_; }                                // most in any sample
+
   const std::vector<LimitBreach>& breaches() const { return breaches_; }
   const std::vector<Crossing>& crossings() const { return crossings_; }
   std::vector<Interval> broken() const;       // runs of samples that break some limit
@@ -108,7 +119,8 @@ class Analysis {
  private:
   void run(const Progress& progress);
   void find_breaches();
-  void find_crossings();  // in crossings.cpp
+  void find_crossings();               // in crossings.cpp
+  void run_dynamics(const Progress&);  // in analysis_dynamics.cpp
 
   const scenario::Scenario& scenario_;
   const mechanics::Machine& machine_;
@@ -120,6 +132,9 @@ class Analysis {
   std::vector<std::array<double, static_cast<std::size_t>(Measure::count)>> measures_;  // NaN: not computed
   std::vector<LimitBreach> breaches_;
   std::vector<Crossing> crossings_;
+  bool dynamics_ = false;
+  std::vector<Indeterminate> indeterminate_;
+  int self_stresses_ = 0;
 };
 
 }  // namespace pmreport::section

@@ -107,6 +107,10 @@ Report make_report(const scenario::Scenario& s, const mechanics::Machine& m, con
     if (request.kind == "velocity") section = velocity_section(a);
     if (request.kind == "acceleration") section = acceleration_section(a);
     if (request.kind == "statics") section = statics_section(a);
+    if (request.kind == "dynamics") section = take(dynamics_section(a, request));
+    if (request.kind == "drives") section = take(drives_section(a));
+    if (request.kind == "reactions") section = take(reactions_section(a, request));
+    if (request.kind == "speed") section = take(speed_section(a));
     if (request.kind == "mobility") section = take(mobility_section(a, request));
     if (request.kind == "singularity") section = take(singularity_section(a, request, stage, progress));
     if (request.kind == "assembly") section = take(assembly_section(a, request, stage, progress));

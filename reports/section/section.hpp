@@ -52,6 +52,10 @@ Result mobility_section(const Analysis& a, const scenario::SectionRequest& r);
 Result singularity_section(const Analysis& a, const scenario::SectionRequest& r, const Stage& stage, const Progress& progress);
 Result assembly_section(const Analysis& a, const scenario::SectionRequest& r, const Stage& stage, const Progress& progress);
 Result classification_section();
+Result dynamics_section(const Analysis& a, const scenario::SectionRequest& r);
+Result drives_section(const Analysis& a);
+Result reactions_section(const Analysis& a, const scenario::SectionRequest& r);
+Result speed_section(const Analysis& a);
 // `values`: those of all other sections.
 Result comparison_section(const Analysis& a, const scenario::SectionRequest& r, const std::vector<document::Value>& values);
 
