@@ -87,7 +87,8 @@ Catalog::Catalog(const std::vector<fs::path>& folders) : folders_(folders) {
       if (const Identity id = identity(file); id != Identity{} && !seen.insert(id).second) continue;
       try {
         const PluginFile plugin = load_plugin(file);
-        for (const pm_mechanism* mechanism : plugin.mechanisms) entries_.push_back({mechanism->name, mechanism, file, plugin.table->build});
+        for (const pm_mechanism* mechanism : plugin.mechanisms)
+          entries_.push_back({mechanism->name, mechanism, file, plugin.table->build + (plugin.level.empty() ? "" : ", " + plugin.level)});
       } catch (const PluginError& error) {
         refused_.push_back(error.what());
       }

@@ -1,10 +1,13 @@
 #define BOOST_DLL_USE_STD_FS
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <boost/dll/shared_library.hpp>
 #include <core/host/library_file.hpp>
 #include <core/host/plugin_table.hpp>
+#include <core/host/processor.hpp>
 #include <core/host/refusal.hpp>
+#include <cstring>
 #include <map>
 #include <mutex>
 
@@ -45,21 +48,39 @@ Registry& registry() {
   return one;
 }
 
+// Loads one file, once a process. The registry is locked.
+const PluginFile& load(Registry& known, const std::filesystem::path& path) {
+  require_plugin_library(path);
+  const std::filesystem::path file = std::filesystem::canonical(path);
+  if (const auto same = known.plugins.find(file); same != known.plugins.end()) return same->second;
+  const std::string where = path.string();
+  const auto& library = known.libraries.emplace_back(open(file, where));
+  const auto& table = library.get<const pm_plugin_table>(PM_PLUGIN_SYMBOL);
+  require_sound(table, where);
+  return known.plugins[file] = {path, {}, &table, {table.mechanisms, table.mechanisms + table.mechanism_count}};
+}
+
+// A build for a processor that is left over from another version of the plugin must not speak for it.
+void require_same(const PluginFile& plain, const PluginFile& build) {
+  const bool same = std::ranges::equal(plain.mechanisms, build.mechanisms, [](const pm_mechanism* a, const pm_mechanism* b) {
+    return std::strcmp(a->name, b->name) == 0 && a->dof == b->dof && a->parameters.count == b->parameters.count;
+  });
+  if (!same || plain.table->abi_minor != build.table->abi_minor)
+    refuse(build.path.string(), "the same mechanisms and parameters as in " + plain.path.string(), "others",
+           "build both anew, or remove this one");
+}
+
 }  // namespace
 
 PluginFile load_plugin(const std::filesystem::path& path) {
   Registry& known = registry();
   const std::lock_guard lock(known.guard);
-
-  require_plugin_library(path);
-  const std::filesystem::path file = std::filesystem::canonical(path);
-  if (const auto same = known.plugins.find(file); same != known.plugins.end()) return {path, same->second.table, same->second.mechanisms};
-
-  const std::string where = path.string();
-  const auto& library = known.libraries.emplace_back(open(file, where));
-  const auto& table = library.get<const pm_plugin_table>(PM_PLUGIN_SYMBOL);
-  require_sound(table, where);
-  return known.plugins[file] = {path, &table, {table.mechanisms, table.mechanisms + table.mechanism_count}};
+  const PluginFile& plain = load(known, path);
+  const std::filesystem::path best = best_build(path);
+  if (best == path) return {path, {}, plain.table, plain.mechanisms};
+  const PluginFile& build = load(known, best);
+  require_same(plain, build);
+  return {path, best.parent_path().filename().string(), build.table, build.mechanisms};
 }
 
 }  // namespace pmreport::host

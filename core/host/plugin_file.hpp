@@ -17,12 +17,14 @@ class PluginError : public std::runtime_error {
 };
 
 struct PluginFile {
-  std::filesystem::path path;
+  std::filesystem::path path;  // as asked for
+  std::string level;           // of the processor that the loaded build is for, "x86-64-v3" (processor.hpp); empty: any
   const pm_plugin_table* table;
   std::vector<const pm_mechanism*> mechanisms;
 };
 
-// Loads and checks `path`: a shared library, the symbol, ABI, struct sizes, no null function, sane names. Does not make an instance.
+// Loads and checks `path`, or its best build for this processor: a shared library, the symbol, ABI, struct sizes, no null function, sane
+// names. Does not make an instance. A build for a processor must have the same mechanisms as the plain one.
 PluginFile load_plugin(const std::filesystem::path& path);
 
 }  // namespace pmreport::host
