@@ -1,5 +1,7 @@
 #include <core/host/processor.hpp>
 
+#include <cstdlib>
+#include <string_view>
 #include <system_error>
 
 namespace pmreport::host {
@@ -12,8 +14,10 @@ std::vector<std::string> processor_levels() {
       __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
   const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
                   __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-  if (v4) levels.push_back("x86-64-v4");
-  if (v3) levels.push_back("x86-64-v3");
+  const char* asked = std::getenv("PMREPORT_PROCESSOR");
+  const std::string_view highest = asked != nullptr ? asked : "";
+  if (v4 && highest != "x86-64" && highest != "x86-64-v3") levels.push_back("x86-64-v4");
+  if (v3 && highest != "x86-64") levels.push_back("x86-64-v3");
 #endif
   return levels;
 }

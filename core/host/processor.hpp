@@ -9,7 +9,8 @@
 
 namespace pmreport::host {
 
-// The levels that this processor runs, best first: "x86-64-v4", "x86-64-v3", or nothing.
+// The levels that this processor runs, best first: "x86-64-v4", "x86-64-v3", or nothing. PMREPORT_PROCESSOR in the environment, "x86-64" or
+// one of these, says to go no higher: with "x86-64" every x86-64 gives the same digits.
 std::vector<std::string> processor_levels();
 
 // The file to load for `plugin`: itself, or its best build.

@@ -35,7 +35,8 @@ TEST_CASE("the contract has one layout in C and in C++") {
 
 TEST_CASE("a plugin exports one symbol") {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(PLUGINS)) files.push_back(entry.path());
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(PLUGINS))
+    if (entry.is_regular_file()) files.push_back(entry.path());
   REQUIRE_FALSE(files.empty());
   for (const auto& entry : std::filesystem::directory_iterator(FIXTURES))
     if (const auto stem = entry.path().stem(); stem != "no_symbol") files.push_back(entry.path());

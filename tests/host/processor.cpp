@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <core/host/plugin_file.hpp>
 #include <core/host/processor.hpp>
+#include <cstdlib>
 #include <tests/host/fixtures/temporary.hpp>
 
 using pmreport::host::best_build;
@@ -23,6 +24,18 @@ TEST_CASE("the best build that the processor runs is taken, and the plain one wh
   CHECK(best_build(plain, {"x86-64-v3"}) == v3);
   CHECK(best_build(plain, {}) == plain);
   CHECK(best_build(folder.path() / "b.so", {"x86-64-v4", "x86-64-v3"}) == folder.path() / "b.so");
+}
+
+TEST_CASE("the environment can keep to builds for older processors") {
+  const auto with = [](const char* value) {
+    setenv("PMREPORT_PROCESSOR", value, 1);
+    const auto levels = processor_levels();
+    unsetenv("PMREPORT_PROCESSOR");
+    return levels;
+  };
+  CHECK(with("x86-64").empty());
+  CHECK(with("x86-64-v4") == processor_levels());
+  for (const std::string& level : with("x86-64-v3")) CHECK(level == "x86-64-v3");
 }
 
 TEST_CASE("a build for the processor answers under the name of the plain file, and must have its mechanisms") {

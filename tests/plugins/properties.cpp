@@ -7,6 +7,7 @@
 #include <tests/mechanics/slider_crank.hpp>
 
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <set>
 
@@ -47,6 +48,18 @@ TEST_CASE("every plugin has every property, at home and at a thousand random pos
         const Machine machine(*mechanism, default_values(describe(*mechanism)));
         require_properties(machine, 1000);
       }
+}
+
+TEST_CASE("every build of a plugin for older processors has every property too") {
+  for (const char* processor : {"x86-64", "x86-64-v3"}) {
+    setenv("PMREPORT_PROCESSOR", processor, 1);
+    for (const auto& path : plugins())
+      for (const pm_mechanism* mechanism : host::load_plugin(path).mechanisms) {
+        INFO(mechanism->name << " for " << processor);
+        require_properties(Machine(*mechanism, default_values(describe(*mechanism))), 60);  // fills lanes of any width
+      }
+    unsetenv("PMREPORT_PROCESSOR");
+  }
 }
 
 TEST_CASE("every plugin has every property whatever it is told to choose") {
