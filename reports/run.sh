@@ -19,7 +19,8 @@ folder=build/report
 
 # shellcheck disable=SC2086  # a list of words
 install_packages $program_packages
-[ -f build/build.ninja ] || cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DPMREPORT_TESTS=OFF
+# A first report should come soon: no builds of the plugins for newer processors. Where there are some, they are kept up to date.
+[ -f build/build.ninja ] || cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DPMREPORT_TESTS=OFF -DPMREPORT_LEVELS=
 cmake --build build --parallel "$(nproc)" --target pmreport plugins/all
 
 build/bin/pmreport "$scenario" --out "$folder" && status=0 || status=$?

@@ -7,6 +7,7 @@ cd "$(dirname "$0")/.."
 
 # shellcheck disable=SC2086  # lists of words
 install_packages $program_packages $test_packages
-cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DPMREPORT_TESTS=ON -DPMREPORT_WERROR=ON
+cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DPMREPORT_TESTS=ON -DPMREPORT_WERROR=ON \
+  '-DPMREPORT_LEVELS=x86-64-v3;x86-64-v4'
 cmake --build build --parallel "$(nproc)"
 exec ctest --test-dir build --output-on-failure --parallel "$(nproc)" "$@"
