@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 . reports/packages.sh
 
 # shellcheck disable=SC2086  # lists of words
-install_packages $program_packages $test_packages
+install_packages $program_packages $test_packages $judge_packages
 cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DPMREPORT_TESTS=ON -DPMREPORT_WERROR=ON \
   '-DPMREPORT_LEVELS=x86-64-v3;x86-64-v4'
 cmake --build build --parallel "$(nproc)"

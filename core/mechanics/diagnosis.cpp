@@ -1,5 +1,6 @@
 #include <core/mechanics/diagnosis.hpp>
 #include <core/mechanics/joint_words.hpp>
+#include <core/mechanics/listing.hpp>
 
 #include <fmt/core.h>
 
@@ -19,13 +20,6 @@ constexpr double degree = std::numbers::pi / 180;
 
 const Joint& joint_of(const Machine& m, int joint) { return m.topology().joints[static_cast<std::size_t>(joint)]; }
 const std::string& name_of(const Machine& m, int body) { return m.topology().bodies[static_cast<std::size_t>(body)].name; }
-
-// "a", "a and b", "a, b and c"
-std::string listed(const std::vector<std::string>& names) {
-  std::string out;
-  for (std::size_t i = 0; i < names.size(); ++i) out += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
-  return out;
-}
 
 // The motions that the joints allow while every actuator is held: an orthonormal basis, rotations times `length`. A rank by singular
 // values, with the threshold that mobility() has.

@@ -6,24 +6,26 @@
 
 namespace pmreport::mechanics {
 
-// Efficiency in one of two conventions. `by_power`: losses take from the power that flows, whichever way: an actuator that pushes its load
-// is asked for force / efficiency, one that its load drives back for force * efficiency. `always_divides`: force / efficiency throughout,
-// as in Zhang et al. 2016, Eq. (39): for an actuator that is driven back it errs on the wrong side of the force, not of the power.
+// Efficiency e in one of two conventions. `by_power`: losses take from the power that flows, whichever way. An actuator that pushes its
+// load (force and rate of one sign) asks its drive for force / e; one that its load drives back leaves it force * e to hold.
+// `always_divides`: force / e throughout, as in Zhang et al. 2016, Eq. (39). Of an actuator driven back it is not true: the drive would
+// have to hold more than the load exerts, and would return more power than the load puts in.
 enum class EfficiencyConvention { by_power, always_divides };
 
 struct DriveTrain {
   double efficiency = 1;  // 0 < efficiency <= 1
   EfficiencyConvention convention = EfficiencyConvention::by_power;
-  double ratio =
-      0;  // motor angle per actuator displacement: 2 pi / lead of a screw [rad/m], gear ratio of a rotary actuator; 0: no motor given
-  double inertia = 0;  // of screw and rotor about the motor's axis [kg m^2]
+  // Motor angle per actuator displacement: 2 pi / lead of a screw [rad/m], gear ratio of a rotary actuator. 0: no motor given.
+  double ratio = 0;
+  double inertia = 0;  // of screw and rotor about the motor's axis [kg m^2]; on the motor's side of the losses
   friend bool operator==(const DriveTrain&, const DriveTrain&) = default;
 };
 
-// What the drive must give at its actuator end for the actuator to exert `force` while it moves at `rate`.
+// What the drive must give at its actuator end for the actuator to exert `force` while it moves at `rate`. At rest it is taken to push, the
+// larger of the two: it is about to.
 double drive_force(const DriveTrain& drive, double force, double rate);
-// Of the motor: torque = drive_force / ratio + inertia ratio acceleration, speed = ratio rate. Of a screw: lead / (2 pi) F + J (2 pi /
-// lead) q''.
+// Of the motor: torque = drive_force / ratio + inertia ratio acceleration, speed = ratio rate. Of a screw with lead h and inertia J:
+// h / (2 pi) F + J (2 pi / h) q''.
 struct MotorState {
   double torque = 0;  // [N m]
   double speed = 0;   // [rad/s]

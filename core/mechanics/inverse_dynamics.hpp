@@ -26,7 +26,7 @@ struct MotionReactions {
 
 class InverseDynamics {
  public:
-  explicit InverseDynamics(const Machine& machine);
+  explicit InverseDynamics(const Machine& machine);  // which must outlive it
   ~InverseDynamics();
   InverseDynamics(InverseDynamics&&) noexcept;
 

@@ -29,8 +29,10 @@ VectorXd inertial_wrenches(const Machine& machine, const State& state) {
   each_body(machine, state, [&](int i, const Inertia& inertia, const BodyState& b) {
     const Vector3d c = b.rotation * inertia.centre, &rate = b.angular_velocity;
     const Vector3d force = inertia.mass * (b.acceleration + b.angular_acceleration.cross(c) + rate.cross(rate.cross(c)));
-    const Matrix3d about_centre = in_base_axes(inertia, b);
-    w.segment<6>(6 * i - 6) << force, c.cross(force) + about_centre * b.angular_acceleration + rate.cross(about_centre * rate);
+    const Vector3d turn = b.rotation.transpose() * rate, turn_rate = b.rotation.transpose() * b.angular_acceleration;  // in body axes
+    const Vector3d couple = b.rotation * (inertia.about_centre * turn_rate + turn.cross(inertia.about_centre * turn));
+    w.segment<3>(6 * i - 6) = force;
+    w.segment<3>(6 * i - 3) = c.cross(force) + couple;
   });
   return w;
 }

@@ -6,6 +6,7 @@
 #include <core/mechanics/diagnosis.hpp>
 #include <core/mechanics/differences.hpp>
 #include <core/mechanics/displacement.hpp>
+#include <core/mechanics/dynamics_properties.hpp>
 #include <core/mechanics/generic_model.hpp>
 
 #include <algorithm>
@@ -28,12 +29,17 @@ double larger_or_nan(double worst, double x) { return x <= worst || std::isnan(w
 class Suite {
  public:
   Suite(const Machine& machine, const PropertyOptions& options)
-      : machine_(machine), closure_(machine), forward_(machine), length_(characteristic_length(machine)), random_(options.seed) {
+      : machine_(machine),
+        closure_(machine),
+        forward_(machine),
+        frames_(machine),
+        length_(characteristic_length(machine)),
+        random_(options.seed) {
     const auto add = [this](const char* claim, const char* how, double tolerance, const char* unit) -> Property& {
       properties_.push_back({claim, how, 0, tolerance, unit, ""});
       return properties_.back();
     };
-    properties_.reserve(24);
+    properties_.reserve(32);
     reach_ = &add("poses are in reach", "share of random poses in the box of the coordinates that cannot be assembled", 0.5, "");
     units_ = &add("axes and rotations are unit", "deviation of axes from unit length, of rotations from orthonormal", rounding, "");
     gap_ = &add("joints close", "joint centres carried from home by both bodies", rounding * length_, "m");
@@ -54,6 +60,15 @@ class Suite {
                        "coordinates recovered from actuator values, guess a hundredth of the size away", 1e-8, "");
     statics_ = &add("closed-form statics equal the generic model's", "actuator forces by G and by the system over all bodies", 1e-8, "");
     power_ = &add("virtual power balances", "actuator forces times rates plus load times twist", 1e-8, "");
+    inertias_ = &add("masses and inertias are not negative", "masses, and principal inertias about the centres of mass", rounding, "");
+    mass_ = &add("mass matrix is positive definite", "asymmetry; 1 where a motion has no kinetic energy, or a negative one", rounding, "");
+    energy_ =
+        &add("energy balances", "change of kinetic and potential energy by differences against the power of actuators and load", 1e-8, "");
+    virtual_work_ = &add("virtual work equals Newton and Euler", "actuator forces by partials and by the free bodies", 1e-8, "");
+    bodies_ = &add("every body is in balance", "unbalanced force or moment of the free bodies", 1e-8, "");
+    stresses_ = &add("self-stresses balance", "unbalanced force or moment of the bodies under each self-stress alone", 1e-8, "");
+    redundant_ = &add("self-stresses are as many as redundant constraints",
+                      "null space of the reactions against the rank of the constraints", 0, "");
     limits_ = &add("limits are finite", "strokes, joint limits and their motions that are not finite", 0, "");
   }
 
@@ -188,6 +203,7 @@ class Suite {
     if (c.condition < 1e6) {  // next to a singular pose neither has an answer to compare
       round_trip(c.condition);
       statics(model, c, platform.twist());
+      if (regular_poses_++ % 10 == 0) dynamics(c.condition);
     }
   }
 
@@ -229,7 +245,7 @@ class Suite {
     for (int i = 0; i < 6; ++i) load(i) = std::uniform_real_distribution(-1.0, 1.0)(random_) * (i < 3 ? 1.0 : length_);
     const Vector6d forces = closed_statics(c, load);
     // The generic system costs a thousand times the closed form: every tenth pose.
-    if (++statics_count_ % 10 == 1) {
+    if (regular_poses_ % 10 == 0) {
       const GenericStatics g = generic_statics(machine_, model, load);
       const double scale = std::max(1.0, forces.lpNorm<Eigen::Infinity>());
       double worst = 0;
@@ -245,6 +261,25 @@ class Suite {
     if (size > 0) note(*power_, std::abs(power) / size, at(""));
   }
 
+  void dynamics(double condition) {
+    Loading loading;
+    for (int i = 0; i < 6; ++i) loading.platform(i) = std::uniform_real_distribution(-100.0, 100.0)(random_) * (i < 3 ? 1.0 : length_);
+    for (double& g : loading.gravity) g = std::uniform_real_distribution(-10.0, 10.0)(random_);
+    const Tangent t = tangent(machine_, state_);
+    const ForceShares forces = virtual_work(machine_, state_, t, loading);
+    note(*mass_, mass_matrix_deviation(machine_, state_, t, length_), at(""),
+         [] { return std::string("look at masses and inertias: is a body forgotten that only one coordinate moves?"); });
+    note(*energy_, energy_deviation(machine_, state_, forces, loading, condition, length_), at(""));
+    if (regular_poses_ % 100 != 1) return;  // what follows takes as long as all else at fifty poses
+    const FreeBodyDeviation d = free_body_deviation(machine_, state_, frames_, forces, loading, length_);
+    note(*virtual_work_, d.forces, at(""));
+    note(*bodies_, d.balance, at(""));
+    note(*stresses_, d.stress, at(""));
+    const int redundant = mobility(machine_, state_).redundant;
+    note(*redundant_, std::abs(d.stresses - redundant), at(""),
+         [&] { return fmt::format("{} self-stresses, {} redundant constraints", d.stresses, redundant); });
+  }
+
   void still(const VectorXd& q) {  // rank needs a pose, no motion
     const VectorXd zero = VectorXd::Zero(machine_.dof());
     State s;
@@ -257,6 +292,8 @@ class Suite {
 
   void limits() {
     const Topology& t = machine_.topology();
+    const InertiaDeviation inertia = inertia_deviation(t);
+    note(*inertias_, inertia.value, inertia.body < 0 ? "" : "body " + t.bodies[static_cast<std::size_t>(inertia.body)].name);
     const std::vector<BodyState> home = bodies_at_rest(machine_, machine_.home_pose());
     for (std::size_t i = 0; i < t.joints.size(); ++i)
       for (const double x : closure_.motion(home, static_cast<int>(i)))
@@ -313,15 +350,17 @@ class Suite {
   const Machine& machine_;
   Closure closure_;
   ForwardSolver forward_;
+  JointFrames frames_;
   double length_;
   std::mt19937_64 random_;
   State state_;
   std::string label_;
   std::vector<double> batch_;
-  int statics_count_ = 0;
+  int regular_poses_ = 0;
   std::vector<Property> properties_;
   Property *reach_, *units_, *gap_, *turn_, *velocity_, *acceleration_, *drives_, *mobility_, *jacobian_, *jacobian_rate_, *rates_,
-      *accelerations_, *matrices_, *partials_, *lanes_, *extended_, *round_trip_, *statics_, *power_, *limits_;
+      *accelerations_, *matrices_, *partials_, *lanes_, *extended_, *round_trip_, *statics_, *power_, *inertias_, *mass_, *energy_,
+      *virtual_work_, *bodies_, *stresses_, *redundant_, *limits_;
 };
 
 }  // namespace

@@ -18,14 +18,17 @@ Matrix3d matrix_part(const double* jets, int component) {
   return r;
 }
 
-// Axial vector of the skew part of m.
-Vector3d axial(const Matrix3d& m) { return 0.5 * Vector3d(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)); }
+// Axial vector of the skew part of m r^T, from the entries that it takes.
+Vector3d axial(const Matrix3d& m, const Matrix3d& r) {
+  const auto entry = [&](int i, int k) { return m.row(i).dot(r.row(k)); };
+  return 0.5 * Vector3d(entry(2, 1) - entry(1, 2), entry(0, 2) - entry(2, 0), entry(1, 0) - entry(0, 1));
+}
 
 // Rigid body: R' R^T = [w]x, and R'' R^T = [e]x + [w]x [w]x, whose second term is symmetric: the skew part of R'' R^T is [e]x.
 void rigid(const double* jets, BodyState& b) {
   b.rotation = matrix_part(jets, 0);
-  b.angular_velocity = axial(matrix_part(jets, 1) * b.rotation.transpose());
-  b.angular_acceleration = axial(matrix_part(jets, 2) * b.rotation.transpose());
+  b.angular_velocity = axial(matrix_part(jets, 1), b.rotation);
+  b.angular_acceleration = axial(matrix_part(jets, 2), b.rotation);
 }
 
 // Slender body with axis n and no spin: w = n x n', hence e = n x n''.
@@ -60,9 +63,7 @@ void evaluate(const Machine& machine, const double* q, const double* q_rate, con
     return;
   }
   // A sum is finite only when no term is NaN or infinite.
-  double sum = 0;
-  for (const double x : out.placement_jets) sum += x * 0.0;
-  if (sum != 0) {
+  if ((0.0 * Eigen::Map<const Eigen::ArrayXd>(jets, static_cast<Eigen::Index>(out.placement_jets.size()))).sum() != 0) {
     out.status = PM_FAILED;
     out.why = "the plugin returned numbers that are not finite";
     return;

@@ -2,7 +2,6 @@
 
 #include <core/mechanics/generic_model.hpp>
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 namespace pmreport::mechanics {
@@ -11,47 +10,60 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+namespace {
+
+using Row = Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, 6>;  // partials of a scalar by the coordinates
+
+}  // namespace
+
 Tangent tangent(const Machine& machine, const State& state) {
+  Tangent out;
+  tangent(machine, state, out);
+  return out;
+}
+
+// Of a rotation R, dR R^T is skew, and its entries are those of its axial vector: dR R^T (2, 1) = (row 2 of dR) . (row 1 of R) is the
+// first. A slender body turns about n x dn.
+void tangent(const Machine& machine, const State& state, Tangent& out) {
   const Topology& t = machine.topology();
   const Layout& layout = machine.layout();
-  const std::size_t dof = static_cast<std::size_t>(machine.dof()), components = 1 + dof;
-  std::vector<double> q(dof), x(layout.size() * components);
-  for (std::size_t i = 0; i < dof; ++i) q[i] = state.coordinates[i].value;
-  machine.place(PM_PARTIALS, 1, q.data(), x.data());
+  const Eigen::Index dof = machine.dof(), components = 1 + dof;
+  out.placement_partials.resize(layout.size() * static_cast<std::size_t>(components));
+  SmallVector q(dof);
+  for (Eigen::Index i = 0; i < dof; ++i) q(i) = state.coordinates[static_cast<std::size_t>(i)].value;
+  machine.place(PM_PARTIALS, 1, q.data(), out.placement_partials.data());
+  const auto partials = [&](std::size_t scalar) {
+    return Eigen::Map<const Row>(&out.placement_partials[scalar * static_cast<std::size_t>(components)] + 1, dof);
+  };
 
-  Tangent out;
-  out.bodies.resize(6 * (static_cast<int>(t.bodies.size()) - 1), machine.dof());
-  out.actuators.resize(machine.dof(), machine.dof());
-  for (std::size_t k = 0; k < dof; ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
-    const auto vector = [&](std::size_t scalar) {
-      return Vector3d(x[scalar * components + 1 + k], x[(scalar + 1) * components + 1 + k], x[(scalar + 2) * components + 1 + k]);
-    };
-    for (std::size_t i = 0; i < dof; ++i)
-      out.actuators(static_cast<Eigen::Index>(i), column) = x[layout.actuator(static_cast<int>(i)) * components + 1 + k];
-    for (std::size_t b = 1; b < t.bodies.size(); ++b) {
-      const std::size_t at = layout.body(static_cast<int>(b));
-      const Matrix3d& r = state.bodies[b].rotation;
-      Vector3d turn;
-      if (t.bodies[b].slender) {
-        turn = r.col(2).cross(vector(at + 3));
-      } else {  // dR R^T is skew: half the sum of (column of R) x (its derivative) is its axial vector
-        Matrix3d rows;
-        rows << vector(at + 3).transpose(), vector(at + 6).transpose(), vector(at + 9).transpose();
-        turn = 0.5 * (r.col(0).cross(rows.col(0)) + r.col(1).cross(rows.col(1)) + r.col(2).cross(rows.col(2)));
-      }
-      out.bodies.block<6, 1>(6 * static_cast<Eigen::Index>(b) - 6, column) << vector(at), turn;
+  out.bodies.resize(6 * (static_cast<Eigen::Index>(t.bodies.size()) - 1), dof);
+  out.actuators.resize(dof, dof);
+  for (int i = 0; i < machine.dof(); ++i) out.actuators.row(i) = partials(layout.actuator(i));
+  for (std::size_t b = 1; b < t.bodies.size(); ++b) {
+    const std::size_t at = layout.body(static_cast<int>(b)), turned = at + 3;
+    const Matrix3d& r = state.bodies[b].rotation;
+    const auto first = 6 * static_cast<Eigen::Index>(b) - 6;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      const auto row = first + static_cast<Eigen::Index>(k), ri = static_cast<Eigen::Index>(i), rj = static_cast<Eigen::Index>(j);
+      out.bodies.row(row) = partials(at + k);
+      if (t.bodies[b].slender)
+        out.bodies.row(row + 3) = r(ri, 2) * partials(turned + j) - r(rj, 2) * partials(turned + i);
+      else
+        out.bodies.row(row + 3) =
+            r(ri, 0) * partials(turned + 3 * j) + r(ri, 1) * partials(turned + 3 * j + 1) + r(ri, 2) * partials(turned + 3 * j + 2);
     }
   }
-  return out;
 }
 
 ForceShares virtual_work(const Machine& machine, const State& state, const Tangent& tangent, const Loading& loading) {
   const auto solver = tangent.actuators.transpose().partialPivLu();
-  const auto forces = [&](const VectorXd& wrenches) { return SmallVector(solver.solve(tangent.bodies.transpose() * wrenches)); };
-  const int platform = 6 * machine.topology().platform - 6;
-  return {SmallVector(solver.solve(-tangent.bodies.middleRows<6>(platform).transpose() * loading.platform)),
-          forces(-weights(machine, state, loading.gravity)), forces(inertial_wrenches(machine, state))};
+  const auto forces = [&](const auto& rows, const auto& wrenches) -> SmallVector {
+    return solver.solve(SmallVector(rows.transpose() * wrenches));
+  };
+  const auto platform = tangent.bodies.middleRows<6>(6 * machine.topology().platform - 6);
+  return {forces(platform, -loading.platform), forces(tangent.bodies, -weights(machine, state, loading.gravity)),
+          forces(tangent.bodies, inertial_wrenches(machine, state))};
 }
 
 EquationsOfMotion equations_of_motion(const Machine& machine, const State& state, const Tangent& tangent, const Vector3d& gravity) {

@@ -13,11 +13,14 @@ namespace pmreport::mechanics {
 
 // How bodies and actuators move with the independent coordinates, at one pose.
 struct Tangent {
-  Eigen::MatrixXd bodies;     // K, 6 n x m: (velocity of the origin; angular velocity) of the bodies 1..n by each coordinate's rate
-  Eigen::MatrixXd actuators;  // J, m x m
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;  // as the contract has partials
+  Rows bodies;            // K, 6 n x m: (velocity of the origin; angular velocity) of the bodies 1..n by each coordinate's rate
+  SmallMatrix actuators;  // J, m x m
+  std::vector<double> placement_partials;  // as the contract has them
 };
-// Of the pose of `state`.
+// Of the pose of `state`. The second reuses the memory of `out`.
 Tangent tangent(const Machine& machine, const State& state);
+void tangent(const Machine& machine, const State& state, Tangent& out);
 
 // The actuator forces, push positive, [N] or [N m], by what asks for them. They sum to the whole.
 struct ForceShares {

@@ -28,6 +28,8 @@ J apply(const Term& term, const J& a, const J& b, const J& c, double t) {
       return {term.constant};
     case Operation::time:
       return {t, 1, 0};
+    case Operation::variable:
+      return a;
     case Operation::negate:
       return -a;
     case Operation::add:
@@ -83,11 +85,14 @@ J apply(const Term& term, const J& a, const J& b, const J& c, double t) {
 
 }  // namespace
 
-Jet<double> Expression::at(double t) const {
+Jet<double> Expression::at(double t, std::span<const Jet<double>> variables) const {
   std::vector<J> values(terms_.size());
   const auto value = [&](int i) { return i < 0 ? J() : values[static_cast<std::size_t>(i)]; };
-  for (std::size_t i = 0; i < terms_.size(); ++i)
-    values[i] = apply(terms_[i], value(terms_[i].a), value(terms_[i].b), value(terms_[i].c), t);
+  for (std::size_t i = 0; i < terms_.size(); ++i) {
+    const Term& term = terms_[i];
+    values[i] = term.operation == Operation::variable ? variables[static_cast<std::size_t>(term.a)]
+                                                      : apply(term, value(term.a), value(term.b), value(term.c), t);
+  }
   return values.back();
 }
 

@@ -48,7 +48,8 @@ std::vector<std::string> expression_functions() {
 
 class ExpressionParser {
  public:
-  ExpressionParser(std::string_view text, Time time) : text_(text), time_(time) {}
+  ExpressionParser(std::string_view text, Time time, std::span<const Variable> variables)
+      : text_(text), time_(time), variables_(variables) {}
 
   Expression parse() {
     if (text_.size() > longest_text)
@@ -110,11 +111,15 @@ class ExpressionParser {
     const Part exponent = signed_power();
     if (exponent.dimension != plain)
       throw ExpressionError(exponent.start, "expected a plain number as the exponent, seen " + name_of(exponent.dimension));
-    for (std::size_t i = first_term; i < out_.terms_.size(); ++i)
-      if (out_.terms_[i].operation == Operation::time)
-        throw ExpressionError(exponent.start, "expected a constant exponent, seen one that depends on t",
+    for (std::size_t i = first_term; i < out_.terms_.size(); ++i) {
+      const Term& term = out_.terms_[i];
+      if (term.operation == Operation::time || term.operation == Operation::variable)
+        throw ExpressionError(exponent.start,
+                              fmt::format("expected a constant exponent, seen one that depends on {}",
+                                          term.operation == Operation::time ? "t" : variables_[static_cast<std::size_t>(term.a)].name),
                               "write exp(x*log(a)) for a to the power of x");
-    const double n = out_.at(0).value;
+    }
+    const double n = out_.at(0, std::vector<Jet<double>>(variables_.size())).value;  // the exponent's own terms name none of them
     out_.terms_.resize(first_term);
     Dimension dimension;
     if (base.dimension != plain) {
@@ -175,6 +180,8 @@ class ExpressionParser {
     could_be_measured_ = false;
     if (name == "t" && time_ == Time::allowed) return {emit({Operation::time}), time_dimension, start};
     if (name == "pi") return {constant(std::numbers::pi), plain, start};
+    for (std::size_t i = 0; i < variables_.size(); ++i)
+      if (variables_[i].name == name) return {emit({Operation::variable, static_cast<int>(i)}), variables_[i].dimension, start};
     throw unknown(name, start);
   }
 
@@ -286,7 +293,11 @@ class ExpressionParser {
     std::vector<std::string> known = unit_symbols();
     for (std::string& f : expression_functions()) known.push_back(std::move(f));
     known.emplace_back("pi");
-    return {start, "unknown unit or name " + in_quotes(name) + did_you_mean(name, known), "the units are " + listed(unit_symbols(), "and")};
+    std::vector<std::string> own;
+    for (const Variable& v : variables_) own.push_back(v.name);
+    known.insert(known.begin(), own.begin(), own.end());
+    return {start, "unknown unit or name " + in_quotes(name) + did_you_mean(name, known),
+            (own.empty() ? "" : "the quantities are t, " + listed(own, "and") + "; ") + "the units are " + listed(unit_symbols(), "and")};
   }
 
   void close(std::size_t opened) {
@@ -341,12 +352,15 @@ class ExpressionParser {
 
   std::string_view text_;
   Time time_;
+  std::span<const Variable> variables_;
   std::size_t at_ = 0;
   int depth_ = 0, parentheses_ = 0;
   bool could_be_measured_ = false;  // the last atom was a number or closed a parenthesis: units may follow
   Expression out_;
 };
 
-Expression Expression::parse(std::string_view text, Time time) { return ExpressionParser(text, time).parse(); }
+Expression Expression::parse(std::string_view text, Time time, std::span<const Variable> variables) {
+  return ExpressionParser(text, time, variables).parse();
+}
 
 }  // namespace pmreport::scenario

@@ -29,18 +29,6 @@ std::string ending_of(Obstacle obstacle, double t, const std::string& why) {
       format_number(t, 6), why.empty() ? "" : " (" + printable(why) + ")");
 }
 
-// Keeps the first `samples`. False, told, when they make no motion.
-bool cut_off(Motion& m, std::size_t samples, Place place, Diagnostics& diagnostics) {
-  if (samples < 2) {
-    diagnostics.add(place, fmt::format("the motion has no second sample: it {}", m.ending), "take more samples, or another motion");
-    return false;
-  }
-  m.time.resize(samples);
-  const auto rows = static_cast<Eigen::Index>(samples);
-  for (Eigen::MatrixXd* part : {&m.value, &m.rate, &m.acceleration}) part->conservativeResize(rows, Eigen::NoChange);
-  return true;
-}
-
 // At any time the coordinates are followed from the sample nearest to it.
 Path between(const mechanics::Machine& machine, mechanics::Drive drive, const std::vector<double>& times,
              mechanics::FollowedMotion followed) {
@@ -82,6 +70,17 @@ double determinant_at(const Path& path, const mechanics::Machine& machine, doubl
 }
 
 }  // namespace
+
+bool cut_off(Motion& m, std::size_t samples, Place place, Diagnostics& diagnostics) {
+  if (samples < 2) {
+    diagnostics.add(place, fmt::format("the motion has no second sample: it {}", m.ending), "take more samples, or another motion");
+    return false;
+  }
+  m.time.resize(samples);
+  const auto rows = static_cast<Eigen::Index>(samples);
+  for (Eigen::MatrixXd* part : {&m.value, &m.rate, &m.acceleration}) part->conservativeResize(rows, Eigen::NoChange);
+  return true;
+}
 
 std::optional<Motion> followed(Motion drive, const mechanics::Machine& machine, bool until_singularity, Place place,
                                Diagnostics& diagnostics) {

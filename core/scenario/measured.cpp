@@ -148,6 +148,7 @@ std::optional<Measured> read_measured(const Value& value, const Measurable& meas
   try {
     if (names_quantity(*text)) {
       resolve_quantity(std::string(trim(*text)), measurable.sections, out);
+      keep_motors(measurable, 0, out);
       return out;
     }
     const auto [name, time] = parse_that(*text, out);
@@ -156,7 +157,10 @@ std::optional<Measured> read_measured(const Value& value, const Measurable& meas
       throw ExpressionError(time.offset,
                             fmt::format("expected a time within the motion, {} s to {} s, seen {} s", format_number(interval->begin, 6),
                                         format_number(interval->end, 6), format_number(out.time, 6)));
-    if (measurable.topology) resolve(name, measurable.sections, *measurable.topology, out);
+    if (measurable.topology) {
+      resolve(name, measurable.sections, *measurable.topology, out);
+      keep_motors(measurable, name.offset, out);
+    }
   } catch (const ExpressionError& e) {
     reader.refuse(value, e);
     return std::nullopt;

@@ -85,9 +85,27 @@ std::string names_of(const std::vector<Moved>& list) {
   return listed(names, "and");
 }
 
+constexpr const char *of_forces[] = {"start", "start_rate", "forces"}, *of_points[] = {"profile", "waypoint", "file"};
+
+// Keys that are none of a motion that follows from forces; coordinates and actuators are told by read_forces.
+void refuse_unknown_of_forces(const Value& content, const Movables& movables, Diagnostics& diagnostics) {
+  std::vector<std::string> known{"from", "duration", "samples", "until"};
+  known.insert(known.end(), std::begin(of_forces), std::end(of_forces));
+  const std::string keys = fmt::format("the keys are {}", listed(known, "and"));
+  for (const std::vector<Moved>* list : {&movables.coordinates, &movables.actuators})
+    for (const Moved& m : *list) known.push_back(m.name);
+  for (const Entry& e : content.entries)
+    if (std::find(std::begin(of_points), std::end(of_points), e.key) != std::end(of_points))
+      diagnostics.add(e.place, fmt::format("{} is of a prescribed motion, and this one follows from forces", e.key),
+                      "remove it, or from = \"forces\"");
+    else if (std::find(known.begin(), known.end(), without_rate(e.key)) == known.end() &&
+             std::find(known.begin(), known.end(), e.key) == known.end())
+      diagnostics.add(e.place, fmt::format("unknown key {} in [motion]{}", in_quotes(e.key), did_you_mean(e.key, known)), keys);
+}
+
 // Keys that are none: coordinates that cannot be given are told apart from slips.
 void refuse_unknown(const Value& content, const MechanismPart& mechanism, const Movables& movables, Diagnostics& diagnostics) {
-  std::vector<std::string> known{"duration", "samples", "until", "profile", "waypoint", "file"};
+  std::vector<std::string> known{"duration", "samples", "until", "profile", "waypoint", "file", "from"};
   const std::string keys =
       fmt::format("the keys are {}; and the coordinates {}, or the actuators {}, each also by its rate, {}_rate", listed(known, "and"),
                   names_of(movables.coordinates), names_of(movables.actuators), movables.coordinates.front().name);
@@ -95,7 +113,10 @@ void refuse_unknown(const Value& content, const MechanismPart& mechanism, const 
     for (const std::vector<Moved>* list : {&movables.coordinates, &movables.actuators})
       for (const Moved& m : *list) known.push_back(m.name + suffix);
   for (const Entry& e : content.entries)
-    if (std::find(known.begin(), known.end(), e.key) == known.end())
+    if (std::find(std::begin(of_forces), std::end(of_forces), e.key) != std::end(of_forces))
+      diagnostics.add(e.place, fmt::format("{} is of a motion that follows from forces, and this one is prescribed", e.key),
+                      "add from = \"forces\", or remove it");
+    else if (std::find(known.begin(), known.end(), e.key) == known.end())
       refuse_coordinate(e.place, e.key, mechanism, known, "[motion]", diagnostics, keys);
 }
 
@@ -147,7 +168,34 @@ void refuse_coordinate(Place place, const std::string& name, const MechanismPart
                   keys.empty() ? fmt::format("the keys are {}", listed(known, "and")) : keys);
 }
 
-MotionPart read_motion(const Entry* entry, const MechanismPart& mechanism, const std::filesystem::path& scenario, const Reader& reader) {
+namespace {
+
+MotionPart read_motion_from_forces(const Value& content, Place place, const MechanismPart& mechanism, const Load& load,
+                                   const Reader& reader) {
+  Diagnostics& diagnostics = reader.diagnostics();
+  TableReader table(content, "[motion]", place, reader);
+  MotionPart part;
+  const Entry *samples_entry = table.need("samples", "samples = 501"), *duration_entry = table.need("duration", "duration = \"2 s\"");
+  const std::size_t samples = samples_entry != nullptr ? read_samples(samples_entry->value, reader) : 0;
+  const auto duration = read_duration(duration_entry, reader);
+  if (duration) part.interval = {0, *duration};
+  if (!mechanism.topology) return part;
+  const Movables movables(mechanism);
+  refuse_unknown_of_forces(content, movables, diagnostics);
+  const auto forces = read_forces(content, place, mechanism, movables, reader);
+  // An integration takes its time, and a load that is wrong would lead it elsewhere: it begins when all is sound that it stands on.
+  if (!forces || !duration || samples == 0 || mechanism.machine == nullptr || !diagnostics.empty()) return part;
+  auto motion = forced(*forces, load, uniform(*part.interval, samples), *mechanism.machine, diagnostics);
+  if (!motion) return part;
+  part.motion = std::move(*motion);
+  part.interval->end = part.motion.time.back();
+  return part;
+}
+
+}  // namespace
+
+MotionPart read_motion(const Entry* entry, const MechanismPart& mechanism, const Load& load, const std::filesystem::path& scenario,
+                       const Reader& reader) {
   Diagnostics& diagnostics = reader.diagnostics();
   MotionPart part;
   if (entry == nullptr) {
@@ -157,6 +205,10 @@ MotionPart read_motion(const Entry* entry, const MechanismPart& mechanism, const
   const Value* content = table_of(entry, "motion", reader);
   if (content == nullptr) return part;
   TableReader table(*content, "[motion]", entry->place, reader);
+  if (const Entry* from = table.find("from")) {
+    reader.word(from->value, {"forces"}, "what a motion may follow from");
+    return read_motion_from_forces(*content, entry->place, mechanism, load, reader);
+  }
   const Entry *file = table.find("file"), *waypoints = table.find("waypoint"), *profile = table.find("profile"),
               *duration_entry = table.find("duration"), *until = table.find("until");
   const Entry* samples_entry = file != nullptr ? table.find("samples") : table.need("samples", "samples = 501");

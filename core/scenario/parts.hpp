@@ -29,7 +29,9 @@ struct MotionPart {
   Motion motion;
   std::optional<Interval> interval;  // nothing when it is not known
 };
-MotionPart read_motion(const Entry* entry, const MechanismPart& mechanism, const std::filesystem::path& scenario, const Reader& reader);
+// `load`: a motion that follows from forces feels it.
+MotionPart read_motion(const Entry* entry, const MechanismPart& mechanism, const Load& load, const std::filesystem::path& scenario,
+                       const Reader& reader);
 
 // What a motion may prescribe: the independent coordinates, or the actuators, never some of both.
 struct Moved {
@@ -82,6 +84,28 @@ std::string without_rate(const std::string& name);
 // no pose to start from, or, cut off at a singular surface, too few samples.
 std::optional<Motion> followed(Motion drive, const mechanics::Machine& machine, bool until_singularity, Place place,
                                Diagnostics& diagnostics);
+// What [motion] says with from = "forces": where the motion begins, what the actuators exert, and what may end it.
+struct Forces {
+  Place place;  // of the motion's beginning
+  Eigen::VectorXd start, start_rate;
+  struct Force {  // of an actuator
+    Place place;
+    Expression expression;
+    double home = 0;             // value of the actuator there [m], [rad]
+    std::vector<int> variables;  // of the expression, beside its own three: 2 i the value of actuator i, 2 i + 1 its rate
+  };
+  std::vector<std::optional<Force>> forces;  // one an actuator; nothing: it exerts none
+  bool until_singularity = false, until_limit = false;
+  std::string description;
+};
+// Nothing, told, when something is wrong.
+std::optional<Forces> read_forces(const Value& motion, Place place, const MechanismPart& mechanism, const Movables& movables,
+                                  const Reader& reader);
+// The motion that follows, at these times. Nothing, told, when it cannot begin, or, cut off, has too few samples.
+std::optional<Motion> forced(const Forces& forces, const Load& load, std::vector<double> times, const mechanics::Machine& machine,
+                             Diagnostics& diagnostics);
+// Keeps the first samples of a motion. False, told, when they make none.
+bool cut_off(Motion& motion, std::size_t samples, Place place, Diagnostics& diagnostics);
 // Cuts a motion of coordinates off at the first singular surface. False, told, when too few samples remain.
 bool end_at_singularity(Motion& motion, const mechanics::Machine& machine, Place place, Diagnostics& diagnostics);
 
@@ -89,15 +113,37 @@ bool end_at_singularity(Motion& motion, const mechanics::Machine& machine, Place
 void refuse_coordinate(Place place, const std::string& name, const MechanismPart& mechanism, const std::vector<std::string>& known,
                        const std::string& where, Diagnostics& diagnostics, const std::string& keys = {});
 
-Load read_load(const Entry* entry, const std::vector<double>& time, const Reader& reader);
+// [load], but for its samples: what a motion from forces feels must be known at any time before there is one.
+struct LoadPart {
+  struct Component {
+    std::string key;
+    Place place;
+    Expression expression;
+  };
+  Load load;
+  std::vector<std::optional<Component>> components;  // force, moment; nothing: zero, or wrong
+};
+LoadPart read_load(const Entry* entry, const Reader& reader);
+// The load at every sample; told where it has no finite value.
+Load sampled(LoadPart part, const std::vector<double>& time, Diagnostics& diagnostics);
 
 // [drive], and [limits].
 std::vector<mechanics::DriveTrain> read_drives(const Entry* entry, const MechanismPart& mechanism, const Reader& reader);
 mechanics::MotionLimits read_limits(const Entry* entry, const MechanismPart& mechanism, const Reader& reader);
+// A quantity from `least` to `most` `unit`, SI; told when it is not.
+std::optional<double> read_within(const Entry& entry, double least, double most, const std::string& unit, const std::string& hint,
+                                  const Reader& reader);
+
+// What sections build on besides the mechanism and its motion: [drive] and [limits], nullptr where they are not there, and what the first
+// says.
+struct Sizing {
+  const Entry *drive, *limits;
+  const std::vector<mechanics::DriveTrain>& drives;
+};
 
 // A section whose kind cannot be read keeps an empty one.
 std::vector<SectionRequest> read_sections(const Entry* entry, const std::optional<Interval>& interval, const MechanismPart& mechanism,
-                                          const Reader& reader);
+                                          const Sizing& sizing, const Reader& reader);
 
 // The options of a section, by kind.
 void read_snapshots(TableReader& table, const std::optional<Interval>& interval, SectionRequest& request);
@@ -119,11 +165,15 @@ struct Measurable {
   const std::vector<SectionRequest>& sections;
   const std::optional<Topology>& topology;
   const std::optional<Interval>& interval;
+  const std::vector<mechanics::DriveTrain>& drives;
 };
 // "max(abs(actuator_force))", "at(l1, 2.5 s)", "mobility.redundant". Nothing, told, when there is no such thing in this report; a thing
 // without columns and quantity when the mechanism is unknown, so that it cannot be judged.
 std::optional<Measured> read_measured(const Value& value, const Measurable& measurable, const Reader& reader);
 bool judged(const Measured& m);
+// Takes from a group of motor columns those of actuators whose [drive] has no motor: they would hold no number. Throws ExpressionError, at
+// `offset` of the text, when that leaves nothing, also of a quantity.
+void keep_motors(const Measurable& measurable, std::size_t offset, Measured& measured);
 
 std::vector<Check> read_checks(const Entry* entry, const Measurable& measurable, const Reader& reader);
 

@@ -58,7 +58,7 @@ void Reader::refuse(const Value& v, const ExpressionError& e) const {
   diagnostics_.add(diagnostics_.inside(v.place, v.text, e.offset), e.what(), e.hint);
 }
 
-std::optional<Written> Reader::expression(const Value& v, const Dimension& expected, Time time) const {
+std::optional<Written> Reader::expression(const Value& v, const Dimension& expected, Time time, std::span<const Variable> variables) const {
   if (is_number(v) && expected != Dimension{}) {
     diagnostics_.add(v.place, fmt::format("expected {}, seen {} without a unit", with_example(expected), name_of(v)),
                      fmt::format("write \"{}{}\", with the unit that you mean", v.number, likely_unit(expected)));
@@ -70,7 +70,7 @@ std::optional<Written> Reader::expression(const Value& v, const Dimension& expec
   }
   const std::string written = is_number(v) ? fmt::format("{}", v.number) : v.text;
   try {
-    Written out{written, v.place, Expression::parse(written, time)};
+    Written out{written, v.place, Expression::parse(written, time, variables)};
     if (out.expression.dimension() == expected) return out;
     const bool no_unit = out.expression.dimension() == Dimension{};
     diagnostics_.add(v.place, fmt::format("expected {}, seen {}", with_example(expected), name_of(out.expression.dimension())),

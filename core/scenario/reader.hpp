@@ -6,6 +6,7 @@
 #include <core/scenario/document.hpp>
 #include <core/scenario/expression.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,7 +32,7 @@ class Reader {
   std::optional<std::size_t> word(const Value& v, const std::vector<std::string>& words, std::string_view what) const;
   // A constant, SI. Plain numbers may stand without quotes.
   std::optional<double> quantity(const Value& v, const Dimension& expected) const;
-  std::optional<Written> expression(const Value& v, const Dimension& expected, Time time) const;
+  std::optional<Written> expression(const Value& v, const Dimension& expected, Time time, std::span<const Variable> variables = {}) const;
   // A list of exactly `count` items; nullptr when it is not.
   const std::vector<Value>* list(const Value& v, std::size_t count, std::string_view what) const;
 

@@ -73,12 +73,15 @@ Loaded load_text(const std::string& text, const std::filesystem::path& file, con
   s.description = text_or_nothing(table.find("description"), reader);
 
   MechanismPart mechanism = read_mechanism(table.find("mechanism"), source, reader);
-  MotionPart motion = read_motion(table.find("motion"), mechanism, file, reader);
-  s.load = read_load(table.find("load"), motion.motion.time, reader);
-  s.drives = read_drives(table.find("drive"), mechanism, reader);
-  s.limits = read_limits(table.find("limits"), mechanism, reader);
-  s.sections = read_sections(table.find("section"), motion.interval, mechanism, reader);
-  s.checks = read_checks(table.find("check"), {s.sections, mechanism.topology, motion.interval}, reader);
+  const Entry* motion_at = table.find("motion");
+  LoadPart load = read_load(table.find("load"), reader);
+  MotionPart motion = read_motion(motion_at, mechanism, load.load, file, reader);
+  s.load = sampled(std::move(load), motion.motion.time, diagnostics);
+  const Entry *drive = table.find("drive"), *limits = table.find("limits");
+  s.drives = read_drives(drive, mechanism, reader);
+  s.limits = read_limits(limits, mechanism, reader);
+  s.sections = read_sections(table.find("section"), motion.interval, mechanism, {drive, limits, s.drives}, reader);
+  s.checks = read_checks(table.find("check"), {s.sections, mechanism.topology, motion.interval, s.drives}, reader);
   table.finish();
   diagnostics.throw_if_any();
 

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <core/mechanics/drive.hpp>
 #include <core/mechanics/machine.hpp>
+#include <core/mechanics/state.hpp>
 #include <core/scenario/units.hpp>
 #include <filesystem>
 #include <functional>
@@ -46,6 +47,8 @@ struct Motion {
   Path actuators;                  // as prescribed, if they are: with their rates and accelerations, SI
   bool until_singularity = false;  // the motion may end at a singular surface
   bool by_forces = false;          // the samples come from forward dynamics; `at` goes through them
+  // By forces: those given to the actuators at a time, with their values and rates as they are then, SI, dof long.
+  std::function<void(double t, const std::vector<mechanics::Scalar>& actuators, double* forces)> forces;
   double work = 0;                 // by forces: of actuators and load over the motion [J]
   double energy_drift = 0;         // by forces: energy that the integration lost or gained [J]
   double energy_drift_share = 0;   // the same, relative to the largest energy or work on the way

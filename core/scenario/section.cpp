@@ -16,6 +16,26 @@ const std::vector<std::string>& kinds() {
   return all;
 }
 
+// A section that has nothing to show without its table, and a table that no section shows.
+void match_tables(const std::vector<SectionRequest>& sections, const std::vector<Place>& kinds_at, const Sizing& sizing,
+                  const Reader& reader) {
+  Diagnostics& diagnostics = reader.diagnostics();
+  bool shown = false;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    const std::string& kind = sections[i].kind;
+    shown = shown || kind == "drives" || kind.empty();
+    if (kind == "drives" && sizing.drive == nullptr)
+      diagnostics.add(kinds_at[i], "a section \"drives\" needs the table [drive], which is not there",
+                      "add [drive] and, for instance, efficiency = 0.9");
+    if (kind == "speed" && sizing.limits == nullptr)
+      diagnostics.add(kinds_at[i], "a section \"speed\" needs at least one limit, and there is none",
+                      "add [limits] and at least one of actuator_force, actuator_speed, actuator_power, joint_force and joint_moment");
+  }
+  if (sizing.drive != nullptr && !shown)
+    diagnostics.add(sizing.drive->place, "[drive] is for the section \"drives\", which this scenario does not have",
+                    "add [[section]] and kind = \"drives\"; forces of the other sections are those of the actuators themselves");
+}
+
 }  // namespace
 
 std::optional<double> read_time(const Value& value, const std::optional<Interval>& interval, const Reader& reader) {
@@ -37,12 +57,13 @@ std::vector<Value> items_of(const Entry& entry, std::size_t most, const Reader& 
 }
 
 std::vector<SectionRequest> read_sections(const Entry* entry, const std::optional<Interval>& interval, const MechanismPart& mechanism,
-                                          const Reader& reader) {
+                                          const Sizing& sizing, const Reader& reader) {
   const auto tables = tables_of(entry, "section", reader);
   if (tables.empty() && (entry == nullptr || entry->value.kind == Value::Kind::array))
     reader.diagnostics().add(entry != nullptr ? entry->place : Place{}, "expected at least one section, and there is none",
                              fmt::format("write [[section]] and kind = \"displacement\"; the kinds are {}", listed(kinds(), "and")));
   std::vector<SectionRequest> out;
+  std::vector<Place> kinds_at;
   std::vector<std::pair<std::size_t, const Entry*>> rows;  // of the comparisons, read when all sections are known
   for (const Value* content : tables) {
     TableReader table(*content, "[[section]]", content->place, reader);
@@ -51,6 +72,7 @@ std::vector<SectionRequest> read_sections(const Entry* entry, const std::optiona
     const Entry *kind = table.need("kind", "kind = \"displacement\""), *title = table.find("title");
     if (title != nullptr) request.title = reader.text(title->value).value_or("");
     const auto index = kind != nullptr ? reader.word(kind->value, kinds(), "the kinds of section") : std::nullopt;
+    kinds_at.push_back(kind != nullptr ? kind->value.place : content->place);
     if (!index) {  // without a kind nobody knows which keys are right; the request stays, as one of any kind
       out.push_back(std::move(request));
       continue;
@@ -78,8 +100,9 @@ std::vector<SectionRequest> read_sections(const Entry* entry, const std::optiona
     table.finish(fmt::format("a section of kind {}", in_quotes(request.kind)));
     out.push_back(std::move(request));
   }
+  match_tables(out, kinds_at, sizing, reader);
   for (const auto& [index, entry_of_rows] : rows)
-    out[index].rows = read_comparison_rows(*entry_of_rows, {out, mechanism.topology, interval}, reader);
+    out[index].rows = read_comparison_rows(*entry_of_rows, {out, mechanism.topology, interval, sizing.drives}, reader);
   return out;
 }
 

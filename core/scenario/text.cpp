@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <core/mechanics/listing.hpp>
 #include <core/scenario/text.hpp>
 
 namespace pmreport::scenario {
@@ -48,12 +49,10 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
 }
 
 std::string listed(const std::vector<std::string>& words, const char* last, bool quotes) {
-  std::string out;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) out += i + 1 == words.size() ? " " + std::string(last) + " " : ", ";
-    out += quotes ? in_quotes(words[i]) : words[i];
-  }
-  return out;
+  std::vector<std::string> names = words;
+  if (quotes)
+    for (std::string& name : names) name = in_quotes(name);
+  return mechanics::listed(names, last);
 }
 
 std::string in_quotes(std::string_view text) {

@@ -38,6 +38,8 @@ LineStyle line_style(int style) {
   return {palette[colour], dashes()[(colour + index / palette.size()) % dashes().size()]};
 }
 
+int style_of(int colour, int dash) { return colour + colours * ((dash - colour + colours) % colours); }
+
 LineStyle line_over_map(int style) { return {rgb(0x007A33), style == 0 ? std::vector<double>{} : std::vector<double>{4.5, 1.7}}; }
 
 void set_colour(cairo_t* cr, const Colour& colour) { cairo_set_source_rgb(cr, colour.red, colour.green, colour.blue); }

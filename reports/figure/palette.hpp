@@ -19,6 +19,8 @@ struct LineStyle {
 // Ten colours by ten dashes: the first hundred styles differ from one another.
 constexpr int colours = 10;
 LineStyle line_style(int style);
+// The style that has this colour and this dash, each 0 to 9; dash 0 is solid.
+int style_of(int colour, int dash);
 
 // A curve that lies over colours: green, which no map uses; solid for style 0, else dashed.
 LineStyle line_over_map(int style);

@@ -28,8 +28,7 @@ Analysis::Analysis(const scenario::Scenario& scenario, const mechanics::Machine&
   evaluate(machine, home.data(), still.data(), still.data(), s);
   mobility_ = mechanics::mobility(machine, s);
   run(progress);
-  dynamics_ =
-      asks_for(scenario, "dynamics") || asks_for(scenario, "reactions") || asks_for(scenario, "speed") || asks_for(scenario, "drives");
+  dynamics_ = asks_for_dynamics();
   if (dynamics_) run_dynamics(progress);
   find_breaches();
   find_crossings();
@@ -37,7 +36,7 @@ Analysis::Analysis(const scenario::Scenario& scenario, const mechanics::Machine&
 
 void Analysis::run(const Progress& progress) {
   const std::size_t n = time().size();
-  for (const std::string& section : mechanics::sections_with_columns())
+  for (const char* section : {"displacement", "velocity", "acceleration", "statics"})
     for (const mechanics::Column& c : mechanics::columns_of(section, machine_.topology())) columns_[c.name].assign(n, nan);
   conditions_.assign(n, Condition::good);
   Row nothing;
@@ -93,6 +92,12 @@ void Analysis::find_breaches() {
     if (j.kind == JointKind::prismatic) continue;
     for (std::size_t i = 0; i < j.limits.size(); ++i) look(mechanics::joint_column(j, i), "joint " + j.name, "rad", j.limits[i], false);
   }
+}
+
+std::vector<mechanics::Column> Analysis::columns_of(std::string_view section) const {
+  std::vector<mechanics::Column> out = mechanics::columns_of(section, machine_.topology());
+  std::erase_if(out, [&](const mechanics::Column& c) { return !has(c.name); });
+  return out;
 }
 
 double Analysis::largest(const std::vector<std::string>& columns) const {

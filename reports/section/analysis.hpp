@@ -12,6 +12,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pmreport::section {
@@ -89,7 +90,11 @@ class Analysis {
   const std::vector<double>& time() const { return scenario_.motion.time; }
   int samples() const { return static_cast<int>(time().size()); }
 
-  // Columns of a section in the order of columns_of; NaN where a sample has no value.
+  // The columns of a section that this run has, in the order of mechanics::columns_of: forces in motion when something asks for them, motor
+  // columns where a motor is given.
+  std::vector<mechanics::Column> columns_of(std::string_view section) const;
+  bool has(const std::string& column) const { return columns_.contains(column); }
+  // NaN where a sample has no value.
   const std::vector<double>& column(const std::string& name) const { return columns_.at(name); }
   double largest(const std::vector<std::string>& columns) const;  // magnitude over the samples
 
@@ -98,7 +103,7 @@ class Analysis {
   const std::string& why(int sample) const;  // of a sample that is not good
   Worst worst(Measure m) const;
 
-  bool has_dynamics() const { return dynamics_; }                                     // a section asks for forces in motion
+  bool has_dynamics() const { return dynamics_; }                                     // a section or a limit asks for forces in motion
   const std::vector<Indeterminate>& indeterminate() const { return indeterminate_; }  // of each joint, in any sample
   int self_stresses() const { return self_stresses_; }                                // most in any sample
 
@@ -119,8 +124,11 @@ class Analysis {
  private:
   void run(const Progress& progress);
   void find_breaches();
-  void find_crossings();               // in crossings.cpp
-  void run_dynamics(const Progress&);  // in analysis_dynamics.cpp
+  void find_crossings();  // in crossings.cpp
+  // In analysis_dynamics.cpp.
+  bool asks_for_dynamics() const;
+  void run_dynamics(const Progress&);
+  void balance_power();
 
   const scenario::Scenario& scenario_;
   const mechanics::Machine& machine_;

@@ -1,70 +1,119 @@
 // Forces in motion, of every sample: columns of the sections dynamics, drives and reactions, and their residuals.
-#include <reports/section/analysis.hpp>
+#include <reports/section/motion_probe.hpp>
+#include <reports/section/sample_forces.hpp>
+#include <reports/section/smooth_rate.hpp>
 
-#include <core/mechanics/virtual_work.hpp>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pmreport::section {
 
-using mechanics::Vector6d;
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+bool asks_for(const scenario::Scenario& s, std::string_view kind) {
+  return std::any_of(s.sections.begin(), s.sections.end(), [&](const auto& r) { return r.kind == kind; });
+}
+
+bool bounds(const std::vector<double>& limits) {
+  return std::any_of(limits.begin(), limits.end(), [](double x) { return std::isfinite(x); });
+}
+
+// Samples i = 0 .. wanted - 1 of n, spread evenly, the ends left out.
+std::vector<int> spread(int n, int wanted) {
+  std::vector<int> out;
+  for (int i = 0; i < std::min(n, wanted); ++i) out.push_back(static_cast<int>((i + 0.5) * n / std::min(n, wanted)));
+  return out;
+}
+
+}  // namespace
+
+bool Analysis::asks_for_dynamics() const {
+  return scenario_.limits.any() || asks_for(scenario_, "dynamics") || asks_for(scenario_, "drives") || asks_for(scenario_, "reactions") ||
+         asks_for(scenario_, "speed");
+}
 
 void Analysis::run_dynamics(const Progress& progress) {
   const Topology& t = machine_.topology();
-  const mechanics::JointFrames frames(machine_);
-  indeterminate_.assign(t.joints.size(), 0);
-  mechanics::State state;
-  for (int k = 0; k < samples(); ++k) {
-    if (k % 64 == 0) progress.stop_if_asked();
-    if (condition(k) != Condition::good) continue;
-    const auto sample = static_cast<std::size_t>(k);
-    const scenario::Motion& motion = scenario_.motion;
-    const Eigen::VectorXd q = motion.value.row(k), rate = motion.rate.row(k), acceleration = motion.acceleration.row(k);
-    evaluate(machine_, q.data(), rate.data(), acceleration.data(), state);
-    mechanics::Loading loading;
-    loading.platform << scenario_.load.force[sample], scenario_.load.moment[sample];
-    loading.gravity = scenario_.load.gravity;
-    const auto put = [&](const std::string& name, double value) { columns_.at(name)[sample] = value + 0.0; };
-
-    const mechanics::ForceShares forces = virtual_work(machine_, state, tangent(machine_, state), loading);
-    const mechanics::SmallVector total = forces.total();
-    double power = 0;
-    for (std::size_t i = 0; i < t.actuators.size(); ++i) {
-      const std::string& name = t.actuators[i].name;
-      const auto at = static_cast<Eigen::Index>(i);
-      put(name + "_dynamic_force", total(at));
-      put(name + "_load_force", forces.load(at));
-      put(name + "_gravity_force", forces.gravity(at));
-      put(name + "_inertia_force", forces.inertia(at));
-      put(name + "_power", total(at) * state.actuators[i].rate);
-      power += total(at) * state.actuators[i].rate;
-    }
-    put("total_power", power);
-    put("load_power", loading.platform.dot(state.bodies[static_cast<std::size_t>(t.platform)].twist()));
-    put("kinetic_energy", kinetic_energy(machine_, state));
-    put("potential_energy", potential_energy(machine_, state, loading.gravity));
-
-    const auto r = dense_reactions(machine_, state, generic_model(machine_, state), frames, loading, length_);
-    self_stresses_ = std::max(self_stresses_, static_cast<int>(r.stresses.size()));
-    for (std::size_t j = 0; j < t.joints.size(); ++j) {
-      const Joint& joint = t.joints[j];
-      indeterminate_[j] = static_cast<Indeterminate>(indeterminate_[j] | r.indeterminate[j]);
-      const Vector6d local = mechanics::in_axes(frames(state, static_cast<int>(j)), r.joints[j]);
-      put(joint.name + "_force", r.joints[j].head<3>().norm());
-      if (joint.kind != JointKind::spherical) put(joint.name + "_moment", r.joints[j].tail<3>().norm());
-      for (int c = 0; c < 6; ++c) {
-        if (mechanics::transmits(joint.kind, c)) put(mechanics::reaction_column(joint, c, false), local(c));
-        if (c < 3 || joint.kind != JointKind::spherical) put(mechanics::reaction_column(joint, c, true), r.joints[j](c));
-      }
-    }
-    const std::vector<Vector6d> limbs = limb_wrenches(machine_, state, r);
-    for (std::size_t i = 0; i < limbs.size(); ++i)
-      for (int c = 0; c < 6; ++c) put("limb" + std::to_string(i + 1) + (c < 3 ? "_force_" : "_moment_") + "xyz"[c % 3], limbs[i](c));
-    const double scale = std::max(total.lpNorm<Eigen::Infinity>(), 1e-300);
-    measures_[sample][static_cast<std::size_t>(Measure::newton_euler)] = (total - r.actuator_forces).lpNorm<Eigen::Infinity>() / scale;
-    measures_[sample][static_cast<std::size_t>(Measure::free_body)] = r.residual;
+  const std::size_t n = time().size();
+  const auto allocate = [&](const char* section, auto&& wanted) {
+    for (const mechanics::Column& c : mechanics::columns_of(section, t))
+      if (wanted(c)) columns_[c.name].assign(n, nan);
+  };
+  allocate("dynamics", [](const mechanics::Column&) { return true; });
+  if (asks_for(scenario_, "drives")) {
+    const auto has_motor = [&](const mechanics::Column& c) {
+      for (std::size_t i = 0; i < scenario_.drives.size(); ++i)
+        if (c.name == t.actuators[i].name + "_" + c.group) return scenario_.drives[i].ratio > 0;
+      return false;
+    };
+    allocate("drives", [&](const mechanics::Column& c) { return !c.group.starts_with("motor_") || has_motor(c); });
   }
+  if (asks_for(scenario_, "reactions") || bounds(scenario_.limits.joint_force) || bounds(scenario_.limits.joint_moment))
+    allocate("reactions", [](const mechanics::Column&) { return true; });
+  const ForceColumns columns(t, [&](const std::string& name) {
+    const auto found = columns_.find(name);
+    return found != columns_.end() ? found->second.data() : nullptr;
+  });
+
+  std::vector<SampleForces::Order> orders;
+  const std::vector<int> judged = spread(samples(), 16);
+  const std::vector<double>& condition_number = column("condition");
+  for (int k = 0; k < samples(); ++k)
+    if (condition(k) == Condition::good)
+      orders.push_back(
+          {k, condition_number[static_cast<std::size_t>(k)] < comparable, std::binary_search(judged.begin(), judged.end(), k)});
+
+  const mechanics::JointFrames frames(machine_);
+  tbb::enumerable_thread_specific<SampleForces> workers([&] { return SampleForces(scenario_, machine_, frames, length_, columns); });
+  // Chunks that always begin at the same samples, so that no number depends on the threads; blocks of them, so that a request to stop is
+  // heard in time.
+  constexpr std::size_t chunk = 64, block = 64 * chunk;
+  for (std::size_t begin = 0; begin < orders.size(); begin += block) {
+    progress.stop_if_asked();
+    const std::size_t end = std::min(orders.size(), begin + block);
+    tbb::parallel_for(std::size_t{0}, (end - begin + chunk - 1) / chunk, [&](std::size_t i) {
+      const std::size_t first = begin + i * chunk;
+      workers.local().run(std::span(orders).subspan(first, std::min(chunk, end - first)), measures_);
+    });
+  }
+  indeterminate_.assign(t.joints.size(), 0);
+  for (const SampleForces& worker : workers) {
+    self_stresses_ = std::max(self_stresses_, worker.self_stresses());
+    for (std::size_t j = 0; j < indeterminate_.size(); ++j)
+      indeterminate_[j] = static_cast<Indeterminate>(indeterminate_[j] | worker.indeterminate()[j]);
+  }
+  balance_power();
+}
+
+// The power of actuators and load against the rate of the energy, which comes from positions and velocities along the motion around a
+// sample: no acceleration and no force enters it. Where the energy is not smooth (the jerk of the motion jumps near by) differences tell
+// nothing, and the sample is left out.
+void Analysis::balance_power() {
+  constexpr int wanted = 64;
+  constexpr double smooth = 1e-9;  // change of the rate that is called none, relative as the measure is
+  std::vector<std::string> powers{"load_power"};
+  for (const Actuator& a : machine_.topology().actuators) powers.push_back(a.name + "_power");
+  const double largest_power = largest(powers);
+
+  const std::vector<int> chosen = spread(samples(), wanted);
+  tbb::enumerable_thread_specific<MotionProbe> probes([&] { return MotionProbe(scenario_, machine_); });
+  tbb::parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t i) {
+    const auto k = static_cast<std::size_t>(chosen[i]);
+    const double power = column("total_power")[k] + column("load_power")[k];
+    if (!std::isfinite(power) || !(column("condition")[k] < comparable)) return;
+    MotionProbe& probe = probes.local();
+    const auto rate = smooth_rate([&](double t) { return probe.go(t) ? probe.energy() : nan; }, time()[k], time().front(), time().back());
+    if (!rate) return;
+    const double scale = std::max(largest_power, std::abs(rate->value)), deviation = std::abs(power - rate->value);
+    if (rate->change <= smooth * scale)
+      measures_[k][static_cast<std::size_t>(Measure::power_balance)] = scale > 0 ? deviation / scale : deviation;
+  });
 }
 
 }  // namespace pmreport::section

@@ -4,6 +4,7 @@
 #include <reports/section/words.hpp>
 
 #include <core/mechanics/assembly_follow.hpp>
+#include <core/mechanics/listing.hpp>
 
 #include <fmt/core.h>
 
@@ -237,10 +238,9 @@ class Along {  // the motion, and the modes that accompany it
     return out;
   }
   static std::string modes_words(const std::vector<std::size_t>& numbers) {
-    std::string s = numbers.size() == 1 ? "mode " : "modes ";
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-      s += (i == 0 ? "" : i + 1 < numbers.size() ? ", " : " and ") + std::to_string(numbers[i]);
-    return s;
+    std::vector<std::string> names;
+    for (const std::size_t n : numbers) names.push_back(std::to_string(n));
+    return (numbers.size() == 1 ? "mode " : "modes ") + mechanics::listed(names);
   }
 
   document::Data data() const {

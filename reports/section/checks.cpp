@@ -1,4 +1,5 @@
 // The gates of a report.
+#include <reports/section/limits.hpp>
 #include <reports/section/section.hpp>
 #include <reports/section/words.hpp>
 
@@ -92,6 +93,17 @@ document::Check demand(const std::string& name, int broken, const std::string& m
   return c;
 }
 
+// Samples without a pose have no forces; the demand that every sample can be assembled tells them, so they break no limit here. A motion of
+// which no sample could be judged has kept nothing.
+document::Check limits_kept(const Analysis& a) {
+  const LimitCount n = count_limits(a);
+  const std::vector<std::string> sentences = limit_sentences(a);
+  document::Check c = demand("limits of forces, speeds, powers and reactions are kept", n.broken,
+                             fmt::format("{} of {} samples", n.broken, a.samples()), sentences.empty() ? "" : sentences.front());
+  if (n.judged == 0 && n.broken == 0) c.passed = false, c.message = "no sample has forces to hold against the limits";
+  return c;
+}
+
 }  // namespace
 
 // Of a group the column counts that comes nearest to breaking a bound: the largest of an upper one.
@@ -103,6 +115,7 @@ Number measure(const Analysis& a, const scenario::Measured& m, const std::vector
   }
   Number out;
   for (const std::string& name : m.columns) {
+    if (!a.has(name)) return {};
     const Found f = reduce(a, m, a.column(name));
     if (!std::isfinite(f.value)) return {};
     if (out.column.empty() || (largest ? f.value > out.value : f.value < out.value)) out = {f.value, f.sample, name};
@@ -122,6 +135,7 @@ std::vector<document::Check> evaluate_checks(const Analysis& a, const std::vecto
   out.push_back(demand("every sample can be assembled", unreachable, std::to_string(unreachable) + of, first(reach_sentences(a))));
   out.push_back(demand("strokes and joint limits are kept", broken, std::to_string(broken) + of,
                        a.breaches().empty() ? "" : sentence(a, a.breaches().front())));
+  if (a.scenario().limits.any()) out.push_back(limits_kept(a));
   const int singular = a.count(Condition::singular) + static_cast<int>(a.crossings().size());
   out.push_back(demand("no singular surface is met", singular, plural(singular, "time"), first(singularity_sentences(a))));
   return out;

@@ -1,4 +1,5 @@
 // From a scenario and its machine to the report.
+#include <reports/section/limits.hpp>
 #include <reports/section/plots.hpp>
 #include <reports/section/section.hpp>
 #include <reports/section/words.hpp>
@@ -29,6 +30,7 @@ std::vector<Paragraph> summary(const Analysis& a, const Report& r) {
   for (const std::string& s : reach_sentences(a)) warn(s);
   for (const std::string& s : singularity_sentences(a)) warn(s);
   for (const LimitBreach& b : a.breaches()) warn(sentence(a, b));
+  for (const std::string& s : limit_sentences(a)) warn(s);
   for (const document::Check& c : r.checks)
     if (!c.passed && c.line > 0) warn("Check failed: " + c.message + ".");
   constexpr std::size_t shown = 12;
@@ -54,7 +56,7 @@ std::vector<Paragraph> summary(const Analysis& a, const Report& r) {
 
 // Minimum and maximum of every column: what a program reads from results.json.
 void add_values(Report& r, const Analysis& a, const std::string& section) {
-  for (const mechanics::Column& c : mechanics::columns_of(section, a.machine().topology())) {
+  for (const mechanics::Column& c : a.columns_of(section)) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const double x : a.column(c.name))
       if (std::isfinite(x)) low = std::min(low, x), high = std::max(high, x);

@@ -47,7 +47,7 @@ figure::Panel panel(const Analysis& a, const std::string& title, const std::stri
 std::vector<Curve> group(const Analysis& a, const std::string& section, const std::string& name, const std::string& unit) {
   std::vector<Curve> out;
   const bool vector = name == "velocity" || name == "angular_velocity" || name == "acceleration" || name == "angular_acceleration";
-  for (const Column& c : mechanics::columns_of(section, a.machine().topology())) {
+  for (const Column& c : a.columns_of(section)) {
     if (c.group != name || (!unit.empty() && c.unit != (unit == "1" ? "" : unit))) continue;
     std::string stem = vector ? c.name.substr(c.name.size() - 1) : c.name;  // a vector's components are labelled by their axes
     for (const std::string_view suffix : {"_rate", "_acceleration", "_force", "_deflection", "_angle"})
@@ -100,7 +100,7 @@ document::Proof proof(const Analysis& a, const std::vector<Claim>& claims) {
 
 document::Data data_of(const Analysis& a, const std::string& section) {
   document::Data d{section, {"t [s]"}, {a.time()}};
-  for (const Column& c : mechanics::columns_of(section, a.machine().topology())) {
+  for (const Column& c : a.columns_of(section)) {
     d.headings.push_back(c.unit.empty() ? c.name : fmt::format("{} [{}]", c.name, c.unit));
     d.columns.push_back(a.column(c.name));
   }

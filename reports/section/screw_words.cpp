@@ -103,12 +103,6 @@ std::string twist_words(const Surroundings& s, const Screw& t) {
   return fmt::format("turn about {} while it moves along this axis by {} a radian", line_words(s, t), show(t.pitch, "m", 3));
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string out;
-  for (std::size_t i = 0; i < names.size(); ++i) out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return out;
-}
-
 std::string kinds_of(const std::vector<mechanics::NamedWrench>& wrenches) {
   int forces = 0, couples = 0, others = 0;
   for (const auto& w : wrenches) ++(w.screw.is_free() ? couples : w.screw.is_line() ? forces : others);

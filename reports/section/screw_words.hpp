@@ -1,6 +1,7 @@
 // Screws in the words of the field: what a force acts along, what a platform turns about.
 #pragma once
 
+#include <core/mechanics/listing.hpp>
 #include <core/mechanics/mobility.hpp>
 #include <reports/section/analysis.hpp>
 
@@ -28,8 +29,7 @@ std::string wrench_words(const Surroundings& s, const mechanics::Screw& wrench);
 // radian".
 std::string twist_words(const Surroundings& s, const mechanics::Screw& twist);
 
-// "A1", "A1 and B1", "A1, B1 and C1".
-std::string listed(const std::vector<std::string>& names);
+using mechanics::listed;
 
 // The kinds of the wrenches of a system: "1 force", "2 couples and 1 force"; "none".
 std::string kinds_of(const std::vector<mechanics::NamedWrench>& wrenches);

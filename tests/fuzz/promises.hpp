@@ -24,6 +24,14 @@ inline std::string broken_by_scenario(const std::string& text) {
     }
     for (const Eigen::Vector3d& f : loaded.scenario.load.force)
       if (!f.allFinite()) return "a force that is not finite";
+    for (const pmreport::mechanics::DriveTrain& d : loaded.scenario.drives)
+      if (!(d.efficiency > 0 && d.efficiency <= 1) || !std::isfinite(d.ratio) || d.ratio < 0 || !(d.inertia >= 0) ||
+          (d.inertia > 0 && d.ratio == 0))
+        return "a drive that cannot be";
+    const auto& limits = loaded.scenario.limits;
+    for (const auto* list : {&limits.force, &limits.speed, &limits.power, &limits.joint_force, &limits.joint_moment})
+      for (const double limit : *list)
+        if (!(limit > 0)) return "a limit that nothing can keep";
     if (loaded.scenario.sections.empty()) return "a scenario without sections";
     for (const Check& c : loaded.scenario.checks)
       if (c.columns.empty() == c.quantity.empty() || (!c.below && !c.above)) return "a check of nothing";

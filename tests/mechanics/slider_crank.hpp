@@ -13,9 +13,9 @@ namespace pmreport::test {
 
 class SliderCrank : public Mechanism<1> {
  public:
-  static constexpr const char* faults[] = {"none",  "gap",   "axis",      "jacobian",    "idle",         "actuator",
-                                           "unit",  "lanes", "rates",     "partials",    "partials_nan", "extended",
-                                           "reach", "nan",   "jet_lanes", "acceleration"};
+  static constexpr const char* faults[] = {"none",      "gap",          "axis",          "jacobian",     "idle",     "actuator", "unit",
+                                           "lanes",     "rates",        "partials",      "partials_nan", "extended", "reach",    "nan",
+                                           "jet_lanes", "acceleration", "body_partials", "mass",         "inertia"};
   static constexpr const char *name = "slider-crank", *title = "spatial slider-crank", *source = "a test";
   static constexpr Parameter parameters[] = {Parameter::choice("fault", faults, 0, "what is wrong with it"),
                                              Parameter::length("crank", 0.2, "radius r of the crank"),
@@ -27,9 +27,10 @@ class SliderCrank : public Mechanism<1> {
   Topology topology() const {
     Topology t;
     t.coordinates = {{"theta", "crank angle", "rad", 0.8, {0.3, 1.4}}};
-    t.platform = t.add(Body{"crank", 0, false, {}});
-    t.add(Body{"rod", 0, true, {}});
-    t.add(Body{"slider", 0, false, {}});
+    const double about_k = fault("inertia") ? -0.9 : 0.004;
+    t.platform = t.add(Body{"crank", 0, false, {0.8, {0.1, 0, 0.02}, Eigen::Vector3d(0.001, 0.004, about_k).asDiagonal()}});
+    t.add(Body{"rod", 0, true, Inertia::axisymmetric(0.5, 0.25, 0.01, 1e-4)});
+    t.add(Body{"slider", 0, false, {fault("mass") ? -1e-3 : 1.2, {0, 0.03, 0}, {}}});
     t.add(Joint{"O", JointKind::revolute, 0, crank, {}});
     t.add(Joint{"B", JointKind::spherical, crank, rod, {}});
     t.add(Joint{"C", JointKind::spherical, rod, slider, {}, rod});
@@ -71,6 +72,7 @@ class SliderCrank : public Mechanism<1> {
       if (fault("jet_lanes")) height.rate = height.rate + 1e-6;
     if constexpr (std::is_same_v<T, Partials<double, 1>> || std::is_same_v<T, Partials<Lanes, 1>>) {
       if (fault("partials")) height.partial[0] = height.partial[0] * 1.001;
+      if (fault("body_partials")) rod_at(2).partial[0] = 1e-3;
       if (fault("partials_nan")) rod_at(0).partial[0] = 0.0 / (height.partial[0] * 0.0);
     }
     if constexpr (std::is_same_v<T, long double>)

@@ -93,16 +93,19 @@ TEST_CASE("each fault fails the property that names it, what must follow from it
   };
   const Faulty all[] = {
       {"none", {}},
-      // The rod drifts from its pin: bodies apart, and moving apart.
-      {"gap", {"joints close", "relative velocities are allowed", "relative accelerations are allowed"}},
+      // The rod drifts from its pin: bodies apart, and moving apart; the joint's force acts on both at a point where only one of them is.
+      {"gap",
+       {"joints close", "relative velocities are allowed", "relative accelerations are allowed", "every body is in balance",
+        "virtual work equals Newton and Euler"}},
       // The crank turns about another line than its joint says: its axis moves, and forces are divided by the wrong lever.
       {"axis",
        {"joint axes agree", "relative velocities are allowed", "relative accelerations are allowed",
-        "closed-form statics equal the generic model's"}},
+        "closed-form statics equal the generic model's", "virtual work equals Newton and Euler"}},
       {"unit", {"axes and rotations are unit"}},
       {"idle", {"mobility is as declared"}},
       // The actuator's value is not the travel of its joint; its row of the Jacobian was made to match.
-      {"actuator", {"actuators measure their joints", "closed-form statics equal the generic model's"}},
+      {"actuator",
+       {"actuators measure their joints", "closed-form statics equal the generic model's", "virtual work equals Newton and Euler"}},
       // A row of the Jacobian a thousandth too long: its rates, and its forces.
       {"jacobian",
        {"jacobian gives the actuator rates", "jacobian gives the actuator accelerations", "closed-form statics equal the generic model's",
@@ -113,7 +116,15 @@ TEST_CASE("each fault fails the property that names it, what must follow from it
       {"rates", {"rates are exact", "partials are exact"}},
       {"acceleration", {"accelerations are exact"}},
       {"partials", {"partials are exact"}},
-      {"partials_nan", {"partials are exact", "lanes equal doubles"}},  // a NaN equals nothing
+      // A NaN equals nothing.
+      {"partials_nan",
+       {"partials are exact", "lanes equal doubles", "mass matrix is positive definite", "energy balances",
+        "virtual work equals Newton and Euler"}},
+      // A body whose partials are not those of its place: what the load does to it is not what its joints feel.
+      {"body_partials", {"partials are exact", "energy balances", "virtual work equals Newton and Euler"}},
+      // The rest outweighs a mass that is slightly negative, but not a negative inertia of that size.
+      {"mass", {"masses and inertias are not negative"}},
+      {"inertia", {"masses and inertias are not negative", "mass matrix is positive definite"}},
       {"extended", {"extended precision agrees"}},
       {"reach", {"poses are in reach"}},
   };

@@ -28,7 +28,7 @@ std::vector<std::string> blocks(const std::string& language) {
 TEST_CASE("the first scenario of README.md makes a report") {
   const Workshop here;
   const auto scenarios = blocks("toml");
-  REQUIRE(scenarios.size() == 2);
+  REQUIRE(scenarios.size() == 4);
   // At a sixteenth of the size of its pictures, which are not the point.
   const std::string quick = with(scenarios[0], {{"times = [\"0 s\", \"1 s\"]", "times = [\"0 s\", \"1 s\"]\nsize = [400, 300]"}});
   here.write("first.toml", quick);
@@ -36,6 +36,30 @@ TEST_CASE("the first scenario of README.md makes a report") {
   INFO(result.out << result.err);
   CHECK(result.status == 0);
   CHECK(std::filesystem::exists(here / "first-report/report.html"));
+}
+
+TEST_CASE("the tables of forces, drives and limits in README.md make reports") {
+  const Workshop here;
+  const auto scenarios = blocks("toml");
+  REQUIRE(scenarios.size() == 4);
+  const std::string gravity = "[load]\ngravity = [\"0 m/s^2\", \"0 m/s^2\", \"-9.81 m/s^2\"]\n";
+  const auto of = [&](const std::string& mechanism, const std::string& tables, const std::string& kinds) {
+    std::string text = "title = \"t\"\n[mechanism]\nuse = \"" + mechanism + "\"\n" + gravity + tables;
+    for (std::size_t at = 0; at < kinds.size();) {
+      const std::size_t end = std::min(kinds.find(' ', at), kinds.size());
+      text += "[[section]]\nkind = \"" + kinds.substr(at, end - at) + "\"\n";
+      at = end + 1;
+    }
+    return text;
+  };
+  here.write("forces.toml", of("stewart", scenarios[1], "dynamics"));
+  here.write("limits.toml", of("gough", scenarios[2] + "[motion]\nduration = \"2 s\"\nsamples = 51\nx = \"5 mm * sin(pi*t/1 s)\"\n",
+                               "dynamics drives reactions speed"));
+  for (const char* file : {"forces.toml", "limits.toml"}) {
+    const Result result = pmreport({file}, {.folder = here.path()});
+    INFO(file << '\n' << result.out << result.err);
+    CHECK(result.status == 0);
+  }
 }
 
 TEST_CASE("the installed program finds its plugins where it was installed") {
@@ -61,7 +85,7 @@ TEST_CASE("the pieces of a mechanism in README.md stand in plugins/delta/mechani
 
 TEST_CASE("the Delta's scenario of README.md makes a report") {
   const Workshop here;
-  here.write("around.toml", blocks("toml").at(1));
+  here.write("around.toml", blocks("toml").at(3));
   const Result result = pmreport({"around.toml"}, {.folder = here.path()});
   INFO(result.out << result.err);
   CHECK(result.status == 0);

@@ -30,8 +30,8 @@ class Stage : public Mechanism<2> {
     t_.coordinates = {{"x", "slide", "m", 0, {-0.1, 0.1}},
                       turning_ ? Coordinate{"phi", "turn", "rad", 0, {-1, 1}} : Coordinate{"y", "feeler", "m", 0, {-0.1, 0.1}}};
     t_.derived = {{turning_ ? "y" : "phi", turning_ ? "feeler" : "turn", turning_ ? "m" : "rad", true}};
-    const int carriage = t_.add(Body{"carriage", 1, false, {}});
-    t_.platform = t_.add(Body{"table", 0, false, {}});
+    const int carriage = t_.add(Body{"carriage", 1, false, Inertia::axisymmetric(3, 0, 0.05, 0.05)});
+    t_.platform = t_.add(Body{"table", 0, false, Inertia::axisymmetric(2, 0, 0.01, 0.02)});
     const int slide = t_.add(Joint{"P", JointKind::prismatic, 0, carriage, {}});
     const int turn = t_.add(Joint{"R", JointKind::revolute, carriage, t_.platform, {}});
     t_.add(Actuator{"q", "slide", "m", slide, {p["stroke_min"], p["stroke_max"]}});

@@ -66,7 +66,8 @@ TEST_CASE("every residual of a sound mechanism is rounding") {
     const section::Worst w = r.analysis.worst(static_cast<section::Measure>(m));
     CHECK(w.value < 1e-9);
     const bool stated = static_cast<section::Measure>(m) != section::Measure::source;  // this mechanism's source states no matrices
-    CHECK(w.compared == (stated ? 21 : 0));
+    const bool in_motion = static_cast<section::Measure>(m) >= section::Measure::newton_euler;  // nothing asks for forces in motion
+    CHECK(w.compared == (stated && !in_motion ? 21 : 0));
   }
 }
 
