@@ -49,10 +49,10 @@ struct Motion {
   bool by_forces = false;          // the samples come from forward dynamics; `at` goes through them
   // By forces: those given to the actuators at a time, with their values and rates as they are then, SI, dof long.
   std::function<void(double t, const std::vector<mechanics::Scalar>& actuators, double* forces)> forces;
-  double work = 0;                 // by forces: of actuators and load over the motion [J]
-  double energy_drift = 0;         // by forces: energy that the integration lost or gained [J]
-  double energy_drift_share = 0;   // the same, relative to the largest energy or work on the way
-  double asked = 0;                // when it should have ended [s]
+  double work = 0;                // by forces: of actuators and load over the motion [J]
+  double energy_drift = 0;        // by forces: energy that the integration lost or gained [J]
+  double energy_drift_share = 0;  // the same, relative to the largest energy or work on the way
+  double asked = 0;               // when it should have ended [s]
   // Why it ends before: "meets a singular surface at t = 3.314 s: ...". Empty: it does not. With `until_singularity` the samples end there,
   // else those beyond have no pose.
   std::string ending;
