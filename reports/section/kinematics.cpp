@@ -4,7 +4,7 @@
 #include <reports/section/section.hpp>
 #include <reports/section/words.hpp>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -195,36 +195,38 @@ Section acceleration_section(const Analysis& a) {
 }
 
 std::vector<Section> overview_section(const Analysis& a) {
-  figure::Figure f{
-      "overview",
-      "The motion at a glance: position and orientation of the platform, then displacement, rate, acceleration and force of the actuators.",
-      "",
-      figure::Width::full,
-      2,
-      {}};
-  std::size_t kinds = 0;
+  figure::Figure f{"overview", "", "", figure::Width::full, 2, {}};
+  std::vector<std::string> shown;
   const auto asked = [&](const char* kind) {
     const auto& all = a.scenario().sections;
     return std::any_of(all.begin(), all.end(), [&](const auto& r) { return r.kind == kind; });
   };
+  const auto add_forces = [&](const char* section, const char* group_name, bool constraints, const std::string& words) {
+    for (const std::string unit : {"N", "N*m"}) {
+      std::vector<Curve> forces = group(a, section, group_name, unit);
+      if (constraints)
+        for (const Curve& c : group(a, section, "constraint", unit)) forces.push_back(c);
+      const std::string kind = unit == "N" ? "force" : "moment";
+      add_panel(f, a, kind + "s" + words, kind, unit, forces);
+    }
+  };
   const std::string value = linear_drives(a) ? "length" : "value";
   if (asked("displacement")) {
-    ++kinds;
+    shown.push_back("position and orientation of the platform, displacement of the actuators");
     add_panel(f, a, "position", "position", "m", group(a, "displacement", "coordinate", "m"));
     add_panel(f, a, "orientation", "angle", "rad", group(a, "displacement", "coordinate", "rad"));
     add_actuators(f, a, "displacement", "", "actuator " + value, "");
   }
-  if (asked("velocity")) ++kinds, add_actuators(f, a, "velocity", "_rate", "actuator rate", "/s");
-  if (asked("acceleration")) ++kinds, add_actuators(f, a, "acceleration", "_acceleration", "actuator acceleration", "/s^2");
-  if (asked("statics")) {
-    ++kinds;
-    for (const std::string unit : {"N", "N*m"}) {
-      std::vector<Curve> forces = group(a, "statics", "actuator_force", unit);
-      for (const Curve& c : group(a, "statics", "constraint", unit)) forces.push_back(c);
-      add_panel(f, a, unit == "N" ? "forces" : "moments", unit == "N" ? "force" : "moment", unit, forces);
-    }
-  }
-  if (kinds < 3) return {};
+  if (asked("velocity")) shown.push_back("their rates"), add_actuators(f, a, "velocity", "_rate", "actuator rate", "/s");
+  if (asked("acceleration"))
+    shown.push_back("their accelerations"), add_actuators(f, a, "acceleration", "_acceleration", "actuator acceleration", "/s^2");
+  const bool statics = asked("statics"), dynamics = asked("dynamics");
+  if (statics)
+    shown.push_back("actuator forces and constraint wrenches at rest"),
+        add_forces("statics", "actuator_force", true, dynamics ? " at rest" : "");
+  if (dynamics) shown.push_back("actuator forces in motion"), add_forces("dynamics", "dynamic_force", false, " in motion");
+  if (shown.size() < 3) return {};
+  f.caption = fmt::format("The motion at a glance: {}.", fmt::join(shown, "; "));
   return {Section{"overview", "overview", "Overview", {f}}};
 }
 

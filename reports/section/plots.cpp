@@ -50,15 +50,19 @@ std::vector<Curve> group(const Analysis& a, const std::string& section, const st
   for (const Column& c : a.columns_of(section)) {
     if (c.group != name || (!unit.empty() && c.unit != (unit == "1" ? "" : unit))) continue;
     std::string stem = vector ? c.name.substr(c.name.size() - 1) : c.name;  // a vector's components are labelled by their axes
-    for (const std::string_view suffix : {"_rate", "_acceleration", "_force", "_deflection", "_angle"})
+    for (const std::string_view suffix : {"_rate", "_acceleration", "_dynamic_force", "_force", "_deflection", "_angle"})
       if (stem.ends_with(suffix)) stem.resize(stem.size() - suffix.size());
     out.push_back({c.name, symbol(stem)});
   }
   // x, y, z and alpha, beta, gamma in this order, whichever of them is the dependent one.
   if (name.starts_with("coordinate")) std::sort(out.begin(), out.end(), [](const Curve& x, const Curve& y) { return x.column < y.column; });
-  // The force of l3 is F3.
-  if (name == "actuator_force")
-    for (Curve& c : out) c.label = "F" + c.label.substr(std::min(c.label.size(), c.label.find_first_not_of("abcdefghijklmnopqrstuvwxyz")));
+  // The force of l₃, or of ρ₃, is F₃: a Greek letter takes two bytes, the first of them 0xCE or 0xCF.
+  if (name == "actuator_force" || name == "dynamic_force")
+    for (Curve& c : out) {
+      std::size_t at = std::min(c.label.size(), c.label.find_first_not_of("abcdefghijklmnopqrstuvwxyz"));
+      if (at + 1 < c.label.size() && (c.label[at] == '\xCE' || c.label[at] == '\xCF')) at += 2;
+      c.label = "F" + c.label.substr(at);
+    }
   if (name == "constraint" && out.size() == 1) out.front().label = "Fτ";
   return out;
 }
