@@ -30,7 +30,10 @@ ForcedMotion::ForcedMotion(const Machine& machine, const ForwardProblem& problem
     : machine_(machine), problem_(problem), none_(SmallVector::Zero(machine.dof())), forces_(machine.dof()) {}
 
 void ForcedMotion::place(const SmallVector& q, const SmallVector& rate) {
-  if (!q.allFinite() || !rate.allFinite()) throw NoMotion(ForwardEnd::failed, "the rates are beyond the range of numbers");
+  constexpr double beyond = 1e12;  // [m], [rad], and a second: products of jets overflow long after, but mean nothing here already
+  const auto moves = [](const SmallVector& x) { return x.cwiseAbs().maxCoeff() < beyond; };
+  if (!q.allFinite() || !rate.allFinite() || !moves(q) || !moves(rate))
+    throw NoMotion(ForwardEnd::failed, "the motion grows beyond the range of numbers");
   evaluate(machine_, q.data(), rate.data(), none_.data(), state_);
   if (state_.status == PM_UNREACHABLE) throw NoMotion(ForwardEnd::unreachable, state_.why);
   if (state_.status != PM_OK) throw MechanismError(PM_FAILED, state_.why);

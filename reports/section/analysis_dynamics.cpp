@@ -24,10 +24,13 @@ bool bounds(const std::vector<double>& limits) {
   return std::any_of(limits.begin(), limits.end(), [](double x) { return std::isfinite(x); });
 }
 
-// Samples i = 0 .. wanted - 1 of n, spread evenly, the ends left out.
-std::vector<int> spread(int n, int wanted) {
-  std::vector<int> out;
-  for (int i = 0; i < std::min(n, wanted); ++i) out.push_back(static_cast<int>((i + 0.5) * n / std::min(n, wanted)));
+// As many of the samples that have forces, spread evenly, the ends left out.
+std::vector<int> spread(const Analysis& a, int wanted) {
+  std::vector<int> good, out;
+  for (int k = 0; k < a.samples(); ++k)
+    if (a.condition(k) == Condition::good) good.push_back(k);
+  const int n = static_cast<int>(good.size()), count = std::min(n, wanted);
+  for (int i = 0; i < count; ++i) out.push_back(good[static_cast<std::size_t>((i + 0.5) * n / count)]);
   return out;
 }
 
@@ -62,7 +65,7 @@ void Analysis::run_dynamics(const Progress& progress) {
   });
 
   std::vector<SampleForces::Order> orders;
-  const std::vector<int> judged = spread(samples(), 16);
+  const std::vector<int> judged = spread(*this, 16);
   const std::vector<double>& condition_number = column("condition");
   for (int k = 0; k < samples(); ++k)
     if (condition(k) == Condition::good)
@@ -101,7 +104,7 @@ void Analysis::balance_power() {
   for (const Actuator& a : machine_.topology().actuators) powers.push_back(a.name + "_power");
   const double largest_power = largest(powers);
 
-  const std::vector<int> chosen = spread(samples(), wanted);
+  const std::vector<int> chosen = spread(*this, wanted);
   tbb::enumerable_thread_specific<MotionProbe> probes([&] { return MotionProbe(scenario_, machine_); });
   tbb::parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t i) {
     const auto k = static_cast<std::size_t>(chosen[i]);

@@ -13,7 +13,7 @@ struct MotionWork {
   std::vector<double> regenerated;  // of it, what its load and inertia gave back: the integral of negative power, as a positive number [J]
   double load = 0;                  // work of the load [J]
   double stored = 0;                // kinetic and potential energy at the end less those at the start [J]
-  double flow = 0;                  // what passed the actuators and the load, in or out: the scale of the others [J]
+  double flow = 0;                  // what passed actuators and load and went in and out of store: the scale of the others [J]
   bool whole = true;                // every sample has a pose; else the runs of samples that have one are summed
   bool closed = false;              // the motion ends in the pose and with the rates of its start
 

@@ -191,6 +191,26 @@ TEST_CASE("a path that does not return leaves its work in the bodies or in the l
   CHECK(work->work() == Approx(work->stored - work->load).epsilon(1e-11));
 }
 
+TEST_CASE("where the actuators exert nothing but rounding, the weights alone are measured by") {
+  const Run fall(R"toml(title = "Fall"
+[mechanism]
+use = "lift"
+[motion]
+duration = "1 s"
+samples = 101
+z = "-4.905 m/s^2 * t^2"
+[load]
+gravity = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]
+)toml" + dynamics);
+  const auto work = section::motion_work(fall.analysis);
+  REQUIRE(work);
+  // What falls turns into motion: 5 kg through 4.905 m, once out of one store and once into the other.
+  const double fallen = (car_mass + disc_mass) * 9.81 * 4.905;
+  CHECK(work->flow == Approx(2 * fallen).epsilon(1e-3));
+  CHECK(std::abs(work->work()) < 1e-12 * fallen);
+  CHECK(std::abs(work->stored) < 1e-12 * fallen);
+}
+
 TEST_CASE("a motion whose jerk jumps still has its work to rounding, and its power where it is smooth") {
   std::string text = circuit(dynamics);
   const std::string smooth = "0.2 m * sin(pi*t/1 s)";
