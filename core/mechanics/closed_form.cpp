@@ -50,35 +50,6 @@ Vector6d forward_acceleration(const ClosedForm& c, const Vector6d& accelerations
 
 Vector6d closed_statics(const ClosedForm& c, const Vector6d& load) { return -c.jacobian.transpose().partialPivLu().solve(load); }
 
-Eigen::VectorXd weight_forces(const Machine& machine, const State& state, const Eigen::Vector3d& gravity) {
-  const std::size_t dof = static_cast<std::size_t>(machine.dof()), c = 1 + dof;
-  const Layout& layout = machine.layout();
-  std::vector<double> q(dof), x(layout.size() * c);
-  for (std::size_t i = 0; i < dof; ++i) q[i] = state.coordinates[i].value;
-  machine.place(PM_PARTIALS, 1, q.data(), x.data());
-
-  Eigen::VectorXd work = Eigen::VectorXd::Zero(machine.dof());  // of the weights, by each coordinate
-  Eigen::MatrixXd drive(machine.dof(), machine.dof());          // dl/dq
-  for (std::size_t k = 0; k < dof; ++k) {
-    const auto partial = [&](std::size_t scalar) { return x[scalar * c + 1 + k]; };
-    const auto column = static_cast<Eigen::Index>(k);
-    for (std::size_t i = 0; i < dof; ++i) drive(static_cast<Eigen::Index>(i), column) = partial(layout.actuator(static_cast<int>(i)));
-    for (std::size_t b = 1; b < state.bodies.size(); ++b) {
-      const Body& body = machine.topology().bodies[b];
-      const std::size_t at = layout.body(static_cast<int>(b));
-      for (std::size_t row = 0; row < 3; ++row) {
-        double centre = partial(at + row);
-        if (body.slender)
-          centre += partial(at + 3 + row) * body.inertia.centre.z();
-        else
-          for (std::size_t e = 0; e < 3; ++e) centre += partial(at + 3 + 3 * row + e) * body.inertia.centre(static_cast<Eigen::Index>(e));
-        work(column) += body.inertia.mass * gravity(static_cast<Eigen::Index>(row)) * centre;
-      }
-    }
-  }
-  return -drive.transpose().partialPivLu().solve(work);
-}
-
 SourceDeviation source_deviation(const Machine& machine, const State& state) {
   const Topology& t = machine.topology();
   if (t.matrices.empty()) return {};

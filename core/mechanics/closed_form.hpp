@@ -24,10 +24,6 @@ Vector6d forward_acceleration(const ClosedForm& c, const Vector6d& accelerations
 // Massless statics: actuator forces (push positive) and constraint wrenches that balance the wrench w on the platform, -G^-T w.
 Vector6d closed_statics(const ClosedForm& c, const Vector6d& load);
 
-// Actuator forces (push positive, dof long) that carry the weights of all bodies, by virtual work with the exact partials of `place`:
-// tau . dl + sum m g . dc = 0 for every admissible displacement, hence tau = -(dl/dq)^-T sum m (dc/dq)^T g, c the centres of mass.
-Eigen::VectorXd weight_forces(const Machine& machine, const State& state, const Eigen::Vector3d& gravity);
-
 // The relations that the source states by its matrices (Topology::matrices), with the rates of the state: for each relation, the sum of
 // matrices times rates less the rates that they give, relative to the largest term. `matrix`: one of the worst relation.
 struct SourceDeviation {

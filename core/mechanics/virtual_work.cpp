@@ -66,6 +66,11 @@ ForceShares virtual_work(const Machine& machine, const State& state, const Tange
           forces(tangent.bodies, inertial_wrenches(machine, state))};
 }
 
+SmallVector weight_forces(const Machine& machine, const State& state, const Vector3d& gravity) {
+  const Tangent k = tangent(machine, state);
+  return k.actuators.transpose().partialPivLu().solve(SmallVector(-k.bodies.transpose() * weights(machine, state, gravity)));
+}
+
 EquationsOfMotion equations_of_motion(const Machine& machine, const State& state, const Tangent& tangent, const Vector3d& gravity) {
   EquationsOfMotion e;
   const int m = machine.dof();

@@ -29,6 +29,9 @@ struct ForceShares {
 };
 ForceShares virtual_work(const Machine& machine, const State& state, const Tangent& tangent, const Loading& loading);
 
+// The share of the weights alone, at rest or not.
+SmallVector weight_forces(const Machine& machine, const State& state, const Eigen::Vector3d& gravity);
+
 // M q'' + coriolis + gravity = J^T tau + K^T load. Units by coordinate: N, or N m where it is an angle.
 struct EquationsOfMotion {
   SmallMatrix mass;      // M, symmetric positive definite: kinetic energy q' M q' / 2

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <core/scenario/csv.hpp>
 #include <core/scenario/parts.hpp>
 #include <core/scenario/text.hpp>
@@ -23,6 +25,10 @@ std::string text_or_nothing(const Entry* entry, const Reader& reader) {
 }
 
 }  // namespace
+
+bool Scenario::asks_for(std::string_view kind) const {
+  return std::any_of(sections.begin(), sections.end(), [&](const SectionRequest& r) { return r.kind == kind; });
+}
 
 std::vector<const Value*> tables_of(const Entry* entry, const std::string& name, const Reader& reader) {
   std::vector<const Value*> out;

@@ -12,6 +12,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -149,6 +150,7 @@ struct Scenario {
   mechanics::MotionLimits limits;             // from [limits]; all lists as long as the topology's
   std::vector<SectionRequest> sections;
   std::vector<Check> checks;
+  bool asks_for(std::string_view kind) const;  // a section of that kind
 };
 
 // Finds a mechanism by its name. `names` are all there are, for "did you mean".

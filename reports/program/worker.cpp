@@ -22,11 +22,13 @@ namespace pmreport::program {
 
 namespace {
 
+constexpr std::chrono::seconds grace{5};         // between an interruption and the end by force
 constexpr const char* mark = "PMREPORT_WORKER";  // in the environment of a worker: "PARENT:PIPE", process number and file descriptor
 
 int done_pipe = -1;  // of a worker: where it says that it is done
-volatile sig_atomic_t worker = 0;
+volatile sig_atomic_t worker = 0, handed_on = 0;
 void hand_on(int signal) {
+  handed_on = signal;
   if (worker > 0) kill(static_cast<pid_t>(worker), signal);
 }
 
@@ -103,22 +105,29 @@ std::optional<int> run_in_worker(char** argv, double timeout) {
   if (pid < 0) return std::nullopt;
 
   int status = 0;
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(timeout);
-  bool late = false;
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(timeout);
+  std::optional<Clock::time_point> patience;  // an interrupted worker ends by itself between two steps, unless it hangs in one
+  bool late = false, killed = false;
   while (true) {
-    const pid_t ended = waitpid(pid, &status, timeout > 0 && !late ? WNOHANG : 0);
+    if (handed_on != 0 && !patience) patience = Clock::now() + grace;
+    const pid_t ended = waitpid(pid, &status, (timeout > 0 || patience) && !killed ? WNOHANG : 0);
     if (ended == pid) break;
     if (ended < 0 && errno != EINTR) return worker_crashed;
     if (ended == 0) {
-      if (std::chrono::steady_clock::now() > end) {
-        late = true;
+      late = timeout > 0 && Clock::now() > end;
+      killed = late || (patience && Clock::now() > *patience);
+      if (killed)
         kill(pid, SIGKILL);
-      } else {
+      else
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      }
     }
   }
   worker = 0;
+  if (killed && !late) {
+    tell("interrupted in the midst of a step that did not end; an earlier report is untouched\n");
+    return 128 + handed_on;
+  }
   if (WIFEXITED(status)) {
     char byte = 0;
     if (read(done[0], &byte, 1) == 1) return WEXITSTATUS(status);

@@ -15,10 +15,6 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t index_of(Measure m) { return static_cast<std::size_t>(m); }
 
-bool asks_for(const scenario::Scenario& s, std::string_view kind) {
-  return std::any_of(s.sections.begin(), s.sections.end(), [&](const auto& r) { return r.kind == kind; });
-}
-
 }  // namespace
 
 Analysis::Analysis(const scenario::Scenario& scenario, const mechanics::Machine& machine, const Progress& progress)
@@ -44,7 +40,7 @@ void Analysis::run(const Progress& progress) {
   measures_.assign(n, nothing);
 
   const mechanics::Closure closure(machine_);
-  const bool statics = asks_for(scenario_, "statics");
+  const bool statics = scenario_.asks_for("statics");
   tbb::enumerable_thread_specific<SampleWork> workers([&] { return SampleWork(scenario_, machine_, closure, length_, statics); });
   std::mutex sentences;
   // Blocks, so that a request to stop is heard in time; within a block every sample stands alone and the order does not matter.

@@ -16,10 +16,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-bool asks_for(const scenario::Scenario& s, std::string_view kind) {
-  return std::any_of(s.sections.begin(), s.sections.end(), [&](const auto& r) { return r.kind == kind; });
-}
-
 bool bounds(const std::vector<double>& limits) {
   return std::any_of(limits.begin(), limits.end(), [](double x) { return std::isfinite(x); });
 }
@@ -37,8 +33,8 @@ std::vector<int> spread(const Analysis& a, int wanted) {
 }  // namespace
 
 bool Analysis::asks_for_dynamics() const {
-  return scenario_.limits.any() || asks_for(scenario_, "dynamics") || asks_for(scenario_, "drives") || asks_for(scenario_, "reactions") ||
-         asks_for(scenario_, "speed");
+  return scenario_.limits.any() || scenario_.asks_for("dynamics") || scenario_.asks_for("drives") || scenario_.asks_for("reactions") ||
+         scenario_.asks_for("speed");
 }
 
 void Analysis::run_dynamics(const Progress& progress) {
@@ -49,7 +45,7 @@ void Analysis::run_dynamics(const Progress& progress) {
       if (wanted(c)) columns_[c.name].assign(n, nan);
   };
   allocate("dynamics", [](const mechanics::Column&) { return true; });
-  if (asks_for(scenario_, "drives")) {
+  if (scenario_.asks_for("drives")) {
     const auto has_motor = [&](const mechanics::Column& c) {
       for (std::size_t i = 0; i < scenario_.drives.size(); ++i)
         if (c.name == t.actuators[i].name + "_" + c.group) return scenario_.drives[i].ratio > 0;
@@ -57,7 +53,7 @@ void Analysis::run_dynamics(const Progress& progress) {
     };
     allocate("drives", [&](const mechanics::Column& c) { return !c.group.starts_with("motor_") || has_motor(c); });
   }
-  if (asks_for(scenario_, "reactions") || bounds(scenario_.limits.joint_force) || bounds(scenario_.limits.joint_moment))
+  if (scenario_.asks_for("reactions") || bounds(scenario_.limits.joint_force) || bounds(scenario_.limits.joint_moment))
     allocate("reactions", [](const mechanics::Column&) { return true; });
   const ForceColumns columns(t, [&](const std::string& name) {
     const auto found = columns_.find(name);

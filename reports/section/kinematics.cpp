@@ -197,10 +197,7 @@ Section acceleration_section(const Analysis& a) {
 std::vector<Section> overview_section(const Analysis& a) {
   figure::Figure f{"overview", "", "", figure::Width::full, 2, {}};
   std::vector<std::string> shown;
-  const auto asked = [&](const char* kind) {
-    const auto& all = a.scenario().sections;
-    return std::any_of(all.begin(), all.end(), [&](const auto& r) { return r.kind == kind; });
-  };
+  const auto asked = [&](const char* kind) { return a.scenario().asks_for(kind); };
   const auto add_forces = [&](const char* section, const char* group_name, bool constraints, const std::string& words) {
     for (const std::string unit : {"N", "N*m"}) {
       std::vector<Curve> forces = group(a, section, group_name, unit);

@@ -72,10 +72,9 @@ Report make_report(const scenario::Scenario& s, const mechanics::Machine& m, con
                    const Progress& progress) {
   progress.say(fmt::format("{} samples of {}", s.motion.time.size(), m.info().name));
   scene::Studio studio;
-  const bool pictures = std::any_of(s.sections.begin(), s.sections.end(), [](const auto& r) {
-    return r.kind == "mechanism" || r.kind == "snapshots" || r.kind == "singularity" || r.kind == "assembly";
-  });
-  if (pictures) studio.prepare();  // while the analysis runs
+  const auto pictures = {"mechanism", "snapshots", "singularity", "assembly"};
+  if (std::any_of(pictures.begin(), pictures.end(), [&](const char* kind) { return s.asks_for(kind); }))
+    studio.prepare();  // while the analysis runs
   const Analysis a(s, m, progress);
 
   Report r;

@@ -37,8 +37,7 @@ Count count(const Analysis& a, const std::vector<JointLoad>& loads) {
 }
 
 std::string definition(const Analysis& a) {
-  const auto& asked = a.scenario().sections;
-  const bool dynamics = std::any_of(asked.begin(), asked.end(), [](const auto& r) { return r.kind == "dynamics"; });
+  const bool dynamics = a.scenario().asks_for("dynamics");
   return fmt::format(
       "The reaction of a joint is the wrench that its body a exerts on its body b: a force and a moment about the joint's centre, by "
       "Newton "

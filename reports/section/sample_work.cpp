@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <core/mechanics/virtual_work.hpp>
 #include <limits>
 
 namespace pmreport::section {

@@ -2,6 +2,7 @@
 #include <core/mechanics/closed_form.hpp>
 #include <core/mechanics/closure.hpp>
 #include <core/mechanics/generic_model.hpp>
+#include <core/mechanics/virtual_work.hpp>
 #include <tests/plugins/reference.hpp>
 #include <tests/plugins/two_q_spr.hpp>
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
+#include <core/mechanics/virtual_work.hpp>
 #include <random>
 
 using namespace pmreport;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <tests/plugins/four_sps_spr.hpp>
 
+#include <core/mechanics/virtual_work.hpp>
 #include <fstream>
 
 using namespace pmreport;

@@ -3,6 +3,10 @@
 
 #include <tests/program/workshop.hpp>
 
+#include <chrono>
+#include <csignal>
+#include <thread>
+
 namespace fs = std::filesystem;
 using program_test::Result;
 using program_test::Workshop;
@@ -55,6 +59,18 @@ TEST_CASE("a plugin that hangs is stopped after the time that the user gives") {
   const Result r = Evil("hanging").report({"--timeout", "1"});
   CHECK(r.status == 5);
   CHECK(r.err.find("not done after 1 s") != std::string::npos);
+}
+
+TEST_CASE("a plugin that hangs can be interrupted") {
+  const Evil evil("hanging");
+  evil.workshop.write("scenario.toml", slider);
+  program_test::Process process({PROGRAM, "scenario.toml", "--plugin-path", (evil.workshop / "plugins").string()},
+                                {.folder = evil.workshop.path()});
+  std::this_thread::sleep_for(std::chrono::seconds(1));  // well within what never ends; nothing is said before
+  process.send(SIGTERM);
+  const Result r = process.finish();
+  CHECK(r.status == 143);
+  CHECK(r.err.find("interrupted in the midst of a step that did not end") != std::string::npos);
 }
 
 TEST_CASE("an earlier report survives a plugin that crashes") {
