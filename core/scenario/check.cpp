@@ -1,5 +1,5 @@
 #include <core/scenario/parts.hpp>
-#include <core/scenario/text.hpp>
+#include <core/text/text.hpp>
 
 namespace pmreport::scenario {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <core/scenario/parts.hpp>
-#include <core/scenario/text.hpp>
+#include <core/text/text.hpp>
 #include <numbers>
 
 namespace pmreport::scenario {

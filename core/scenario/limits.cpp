@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <core/mechanics/joint_words.hpp>
+#include <core/mechanics/model/joint_words.hpp>
 #include <core/scenario/parts.hpp>
-#include <core/scenario/text.hpp>
+#include <core/text/text.hpp>
 
 namespace pmreport::scenario {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <array>
 #include <core/scenario/parts.hpp>
-#include <core/scenario/text.hpp>
+#include <core/text/text.hpp>
 #include <memory>
 
 namespace pmreport::scenario {

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <core/mechanics/columns.hpp>
-#include <core/mechanics/quantities.hpp>
 #include <core/scenario/parts.hpp>
-#include <core/scenario/text.hpp>
+#include <core/scenario/section/columns.hpp>
+#include <core/scenario/section/quantities.hpp>
+#include <core/text/text.hpp>
 
 namespace pmreport::scenario {
 namespace {
@@ -42,7 +42,7 @@ Parts parse_that(const std::string& that, Measured& measured) {
   measured.reduction = outer.name.text;
   if (std::find(reductions.begin(), reductions.end(), measured.reduction) == reductions.end())
     throw ExpressionError(outer.name.offset,
-                          fmt::format("expected {}, seen {}{}", listed(reductions), in_quotes(measured.reduction),
+                          fmt::format("expected {}, seen {}{}", listed(reductions, "or"), in_quotes(measured.reduction),
                                       did_you_mean(measured.reduction, reductions)),
                           forms);
   Piece inside = outer.inside, time{};
@@ -99,7 +99,7 @@ void resolve(const Piece& name, const std::vector<SectionRequest>& sections, con
         fmt::format("the groups of columns are {}; a single column is called as in the data files", listed(groups, "and")));
   if (mixed)
     throw ExpressionError(name.offset, fmt::format("the columns of {} have different units", in_quotes(name.text)),
-                          fmt::format("name one of them: {}", listed(measured.columns)));
+                          fmt::format("name one of them: {}", listed(measured.columns, "or")));
 }
 
 // Finds a quantity that a section names, "mobility.redundant".

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <core/scenario/parts.hpp>
-#include <core/scenario/text.hpp>
+#include <core/text/text.hpp>
 
 namespace pmreport::scenario {
 namespace {

@@ -1,7 +1,7 @@
 // The parts of a scenario, each read and validated by itself: a mistake in one does not hide those in the others.
 #pragma once
 
-#include <core/scenario/reader.hpp>
+#include <core/scenario/read/reader.hpp>
 #include <core/scenario/scenario.hpp>
 #include <functional>
 #include <memory>

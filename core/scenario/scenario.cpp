@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include <core/scenario/csv.hpp>
 #include <core/scenario/parts.hpp>
-#include <core/scenario/text.hpp>
+#include <core/scenario/read/csv.hpp>
+#include <core/text/text.hpp>
 
 namespace pmreport::scenario {
 namespace {

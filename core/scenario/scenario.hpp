@@ -3,10 +3,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <core/mechanics/drive.hpp>
-#include <core/mechanics/machine.hpp>
-#include <core/mechanics/state.hpp>
-#include <core/scenario/units.hpp>
+#include <core/mechanics/dynamics/drive.hpp>
+#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/model/state.hpp>
+#include <core/text/units.hpp>
 #include <filesystem>
 #include <functional>
 #include <map>

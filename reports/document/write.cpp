@@ -1,5 +1,5 @@
 #include <reports/document/artwork.hpp>
-#include <reports/document/html_page.hpp>
+#include <reports/document/html/html_page.hpp>
 #include <reports/document/staged_folder.hpp>
 
 namespace pmreport::document {

@@ -1,7 +1,7 @@
 // What `pmreport check` prints: the property suite of each mechanism, and a table of all when there are several.
 #pragma once
 
-#include <core/mechanics/properties.hpp>
+#include <core/mechanics/conformance/properties.hpp>
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include <core/mechanics/classification.hpp>
+#include <core/classification/classification.hpp>
 #include <reports/program/classify.hpp>
 
 #include <fmt/core.h>
@@ -24,9 +24,9 @@ std::string heading(const char* first) {
   return trimmed(line);
 }
 
-std::string table(const char* first, const std::vector<mechanics::SchemeRow>& rows) {
+std::string table(const char* first, const std::vector<classification::SchemeRow>& rows) {
   std::string out = heading(first);
-  for (const mechanics::SchemeRow& r : rows) {
+  for (const classification::SchemeRow& r : rows) {
     std::string line = fmt::format("{:<6}", r.head);
     for (const std::string& cell : r.cells) line += fmt::format("{:<{}}", cell, width);
     out += trimmed(line);
@@ -36,7 +36,7 @@ std::string table(const char* first, const std::vector<mechanics::SchemeRow>& ro
 
 std::string counts() {
   std::string out = heading("k");
-  for (const mechanics::SchemeCount& c : mechanics::scheme_counts()) {
+  for (const classification::SchemeCount& c : classification::scheme_counts()) {
     std::string line = fmt::format("{:<6}", c.chains);
     int base = 0, rule = 0;
     for (std::size_t i = 0; i < c.base.size(); ++i) {
@@ -50,25 +50,25 @@ std::string counts() {
 }
 
 std::size_t six_chains() {
-  const auto& all = mechanics::base_schemes();
-  return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [](const mechanics::Scheme& s) { return s.chains() == 6; }));
+  const auto& all = classification::base_schemes();
+  return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [](const classification::Scheme& s) { return s.chains() == 6; }));
 }
 
 }  // namespace
 
 std::string classify_text() {
-  const std::size_t rule = mechanics::admitted_schemes().size(), base = mechanics::base_schemes().size();
+  const std::size_t rule = classification::admitted_schemes().size(), base = classification::base_schemes().size();
   std::string out = fmt::format(
       "Parallel-cross mechanisms\nsource: {}\n\n"
       "A scheme is the number of pairs of one freedom in each of its k chains, chains in parallel first, then those across. m: degrees of "
       "freedom.\n"
       "{} schemes by the rule; {} base schemes in Table 1, {} of them with six chains in Table 2; {} by the rule alone, marked *.\n\n",
       source, rule, base, six_chains(), rule - base);
-  out += "Table 1, as corrected\n" + table("k", mechanics::table_of_base_schemes());
-  out += "\nTable 2, as corrected: six chains\n" + table("", mechanics::table_of_six_chains());
+  out += "Table 1, as corrected\n" + table("k", classification::table_of_base_schemes());
+  out += "\nTable 2, as corrected: six chains\n" + table("", classification::table_of_six_chains());
   out += "\nNumbers in Table 1 (by the rule)\n" + counts();
   out += "\nCorrections of the printed tables; digits within one side have no order\n";
-  for (const mechanics::Correction& c : mechanics::corrections())
+  for (const classification::Correction& c : classification::corrections())
     out += fmt::format("Table {}, k = {}, m = {}: {:<8} -> {:<8} {}\n", c.table, c.chains, c.freedoms,
                        c.printed.empty() ? "(none)" : c.printed, c.corrected, c.why);
   return out;
@@ -81,12 +81,12 @@ std::string classify_json() {
     for (const char c : digits) list.push_back(c - '0');
     return list;
   };
-  const std::vector<mechanics::Scheme> all = mechanics::admitted_schemes();
+  const std::vector<classification::Scheme> all = classification::admitted_schemes();
   Json j{{"schema_version", 1},
          {"source", source},
-         {"totals", {{"by_rule", all.size()}, {"base_schemes", mechanics::base_schemes().size()}, {"six_chains", six_chains()}}}};
+         {"totals", {{"by_rule", all.size()}, {"base_schemes", classification::base_schemes().size()}, {"six_chains", six_chains()}}}};
   j["schemes"] = Json::array();
-  for (const mechanics::Scheme& s : all)
+  for (const classification::Scheme& s : all)
     j["schemes"].push_back({{"name", s.name()},
                             {"chains", s.chains()},
                             {"freedoms", s.freedoms()},
@@ -94,7 +94,7 @@ std::string classify_json() {
                             {"cross", pairs(s.cross)},
                             {"base", is_base(s)}});
   j["corrections"] = Json::array();
-  for (const mechanics::Correction& c : mechanics::corrections())
+  for (const classification::Correction& c : classification::corrections())
     j["corrections"].push_back({{"table", c.table},
                                 {"chains", c.chains},
                                 {"freedoms", c.freedoms},

@@ -1,5 +1,5 @@
-#include <core/mechanics/joint_words.hpp>
-#include <core/scenario/units.hpp>
+#include <core/mechanics/model/joint_words.hpp>
+#include <core/text/units.hpp>
 #include <reports/program/describe.hpp>
 
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
 // What the program prints on standard output.
 #pragma once
 
-#include <core/mechanics/machine.hpp>
+#include <core/mechanics/model/machine.hpp>
 #include <reports/document/report.hpp>
 
 #include <string>

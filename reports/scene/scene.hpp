@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <core/mechanics/machine.hpp>
+#include <core/mechanics/model/machine.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>

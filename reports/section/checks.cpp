@@ -1,7 +1,7 @@
 // The gates of a report.
-#include <reports/section/limits.hpp>
+#include <reports/section/common/limits.hpp>
+#include <reports/section/common/words.hpp>
 #include <reports/section/section.hpp>
-#include <reports/section/words.hpp>
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
 // Sections `displacement`, `velocity`, `acceleration`, and the overview.
-#include <reports/section/plots.hpp>
-#include <reports/section/prescribed.hpp>
+#include <reports/section/common/plots.hpp>
+#include <reports/section/common/words.hpp>
+#include <reports/section/displacement/prescribed.hpp>
 #include <reports/section/section.hpp>
-#include <reports/section/words.hpp>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // From a scenario and its machine to the report.
-#include <reports/section/limits.hpp>
-#include <reports/section/plots.hpp>
+#include <reports/section/common/limits.hpp>
+#include <reports/section/common/plots.hpp>
+#include <reports/section/common/words.hpp>
 #include <reports/section/section.hpp>
-#include <reports/section/words.hpp>
 
 #include <fmt/core.h>
 #include <glib.h>

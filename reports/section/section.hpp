@@ -3,7 +3,7 @@
 
 #include <reports/document/report.hpp>
 #include <reports/scene/studio.hpp>
-#include <reports/section/analysis.hpp>
+#include <reports/section/common/analysis.hpp>
 
 #include <limits>
 

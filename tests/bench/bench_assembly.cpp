@@ -1,6 +1,6 @@
 // What the search of all assembly modes costs, on one core.
 #include <core/host/plugin_file.hpp>
-#include <core/mechanics/assembly.hpp>
+#include <core/mechanics/assembly/assembly.hpp>
 #include <tests/bench/timing.hpp>
 
 #include <fmt/core.h>

@@ -2,10 +2,10 @@
 #include <fmt/core.h>
 
 #include <core/host/plugin_file.hpp>
-#include <core/mechanics/inverse_dynamics.hpp>
-#include <core/mechanics/inverse_dynamics_kernel.hpp>
-#include <core/mechanics/mobility.hpp>
-#include <core/mechanics/virtual_work.hpp>
+#include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/mobility/mobility.hpp>
+#include <core/mechanics/reactions/inverse_dynamics.hpp>
+#include <core/mechanics/reactions/inverse_dynamics_kernel.hpp>
 #include <tests/bench/timing.hpp>
 
 #include <random>

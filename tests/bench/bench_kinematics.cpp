@@ -2,10 +2,10 @@
 #include <fmt/core.h>
 
 #include <core/host/plugin_file.hpp>
-#include <core/mechanics/closed_form.hpp>
-#include <core/mechanics/displacement.hpp>
-#include <core/mechanics/generic_model.hpp>
-#include <core/mechanics/properties.hpp>
+#include <core/mechanics/conformance/properties.hpp>
+#include <core/mechanics/displacement/displacement.hpp>
+#include <core/mechanics/model/closed_form.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <tests/bench/hand_written.hpp>
 #include <tests/bench/timing.hpp>
 

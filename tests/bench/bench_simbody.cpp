@@ -2,8 +2,8 @@
 #include <fmt/core.h>
 
 #include <core/host/plugin_file.hpp>
-#include <core/mechanics/inverse_dynamics.hpp>
-#include <core/mechanics/virtual_work.hpp>
+#include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/reactions/inverse_dynamics.hpp>
 #include <tests/bench/timing.hpp>
 #include <tests/judges/random_state.hpp>
 #include <tests/judges/simbody_model.hpp>

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "sample.hpp"
+#include <tests/document/sample.hpp>
 
 using namespace pmreport::document;
 

@@ -3,7 +3,7 @@
 #include <reports/document/names.hpp>
 #include <set>
 
-#include "sample.hpp"
+#include <tests/document/sample.hpp>
 
 using namespace pmreport;
 using namespace pmreport::document;

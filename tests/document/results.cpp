@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <reports/document/results.hpp>
 
-#include "sample.hpp"
+#include <tests/document/sample.hpp>
 
 using namespace pmreport::document;
 using nlohmann::json;

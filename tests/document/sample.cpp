@@ -1,4 +1,4 @@
-#include "sample.hpp"
+#include <tests/document/sample.hpp>
 
 #include <fmt/format.h>
 #include <png.h>

@@ -10,7 +10,7 @@
 #include <reports/document/staged_folder.hpp>
 #include <set>
 
-#include "sample.hpp"
+#include <tests/document/sample.hpp>
 
 using namespace pmreport::document;
 using sample::contains;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cmath>
-#include <core/scenario/expression.hpp>
+#include <core/scenario/expression/expression.hpp>
 #include <string>
 #include <tests/scenario/stage.hpp>
 

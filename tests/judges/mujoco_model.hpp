@@ -7,7 +7,7 @@
 // S picking the driven freedoms. Nothing of core/mechanics but the motion of the bodies enters.
 #pragma once
 
-#include <core/mechanics/momentum.hpp>
+#include <core/mechanics/dynamics/momentum.hpp>
 #include <tests/judges/mujoco_tree.hpp>
 
 #include <mujoco/mujoco.h>

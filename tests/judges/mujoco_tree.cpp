@@ -1,7 +1,7 @@
 #include <tests/judges/mujoco_tree.hpp>
 
-#include <core/mechanics/generic_model.hpp>
-#include <core/mechanics/joint_words.hpp>
+#include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/model/joint_words.hpp>
 
 #include <fmt/core.h>
 

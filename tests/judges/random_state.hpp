@@ -1,8 +1,8 @@
 // States and loads in which a mechanism is judged.
 #pragma once
 
-#include <core/mechanics/momentum.hpp>
-#include <core/mechanics/state.hpp>
+#include <core/mechanics/dynamics/momentum.hpp>
+#include <core/mechanics/model/state.hpp>
 
 #include <random>
 

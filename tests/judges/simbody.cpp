@@ -10,8 +10,8 @@
 // ours); actuators that share a joint; stiffness, friction and everything else that is no rigid body.
 #include <catch2/catch.hpp>
 
-#include <core/mechanics/inverse_dynamics.hpp>
-#include <core/mechanics/virtual_work.hpp>
+#include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/reactions/inverse_dynamics.hpp>
 #include <tests/judges/random_state.hpp>
 #include <tests/judges/simbody_model.hpp>
 #include <tests/plugins/plugin.hpp>

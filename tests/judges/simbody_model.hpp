@@ -6,8 +6,8 @@
 // everything else by its articulated bodies and Lagrange multipliers, and the forces that the prescribed motions take.
 #pragma once
 
-#include <core/mechanics/momentum.hpp>
-#include <core/mechanics/state.hpp>
+#include <core/mechanics/dynamics/momentum.hpp>
+#include <core/mechanics/model/state.hpp>
 
 #include <memory>
 #include <vector>

@@ -4,8 +4,8 @@
 #include <pmreport/plugin.h>
 
 #include <Eigen/Core>
-#include <core/mechanics/machine.hpp>
-#include <core/mechanics/state.hpp>
+#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/model/state.hpp>
 #include <random>
 #include <string_view>
 

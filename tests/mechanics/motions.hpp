@@ -1,8 +1,8 @@
 // Random motions of a mechanism, and the inverse dynamics of one held against the system over all its bodies.
 #pragma once
 
-#include <core/mechanics/inverse_dynamics.hpp>
-#include <core/mechanics/mobility.hpp>
+#include <core/mechanics/mobility/mobility.hpp>
+#include <core/mechanics/reactions/inverse_dynamics.hpp>
 
 #include <catch2/catch.hpp>
 #include <random>

@@ -1,7 +1,7 @@
 // Every assembly mode of the mechanisms of the papers, and of the platform that has the most.
-#include <core/mechanics/assembly.hpp>
+#include <core/mechanics/assembly/assembly.hpp>
 
-#include <core/mechanics/generic_model.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <tests/plugins/hexapods.hpp>
 
 #include <Eigen/Geometry>

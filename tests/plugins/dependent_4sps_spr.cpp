@@ -1,5 +1,5 @@
 // The 4SPS-SPR's sixth pose coordinate follows from its revolute axis, whichever of them is chosen to.
-#include <core/mechanics/state.hpp>
+#include <core/mechanics/model/state.hpp>
 #include <tests/plugins/four_sps_spr.hpp>
 
 #include <Eigen/Geometry>

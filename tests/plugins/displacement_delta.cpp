@@ -1,6 +1,6 @@
 // Displacement of the Delta robot against a construction that knows only distances: with the arms given, the platform lies where three
 // spheres meet.
-#include <core/mechanics/displacement.hpp>
+#include <core/mechanics/displacement/displacement.hpp>
 #include <tests/plugins/delta.hpp>
 
 #include <Eigen/Geometry>

@@ -2,8 +2,8 @@
 // reactions.
 #pragma once
 
-#include <core/mechanics/reactions.hpp>
-#include <core/mechanics/virtual_work.hpp>
+#include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/reactions/reactions.hpp>
 #include <tests/plugins/plugin.hpp>
 #include <tests/plugins/reference.hpp>
 

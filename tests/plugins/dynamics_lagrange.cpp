@@ -5,7 +5,7 @@
 // and of a slender body with axis n, transverse inertia I_t and no spin: m |c'|^2 + I_t |n'|^2. A comma is a partial derivative. Lagrange:
 //     sum_j M_kj q_j'' + (sum_j M_kj,t q_j' - T_,k) + V_,k = l_,k . tau + (platform)_,k . load
 // All derivatives are central differences of eighth order in extended precision.
-#include <core/mechanics/virtual_work.hpp>
+#include <core/mechanics/dynamics/virtual_work.hpp>
 #include <tests/plugins/every_mechanism.hpp>
 
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 // Laws that forces and reactions of every mechanism obey, whatever their values.
-#include <core/mechanics/reactions.hpp>
-#include <core/mechanics/virtual_work.hpp>
+#include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/reactions/reactions.hpp>
 #include <tests/plugins/every_mechanism.hpp>
 
 #include <Eigen/Geometry>

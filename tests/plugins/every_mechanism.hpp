@@ -1,8 +1,8 @@
 // Every mechanism there is, with the choices that change its bodies or joints, and random motions of it.
 #pragma once
 
-#include <core/mechanics/closed_form.hpp>
-#include <core/mechanics/generic_model.hpp>
+#include <core/mechanics/model/closed_form.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <tests/plugins/plugin.hpp>
 
 #include <catch2/catch.hpp>

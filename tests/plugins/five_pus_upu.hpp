@@ -1,7 +1,7 @@
 // The 5PUS-UPU as its tests meet it.
 #pragma once
 
-#include <core/mechanics/generic_model.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <tests/plugins/plugin.hpp>
 #include <tests/plugins/reference.hpp>
 

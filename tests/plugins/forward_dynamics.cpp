@@ -1,7 +1,7 @@
 // Motions from forces of real mechanisms: inverse dynamics gives the forces back, energy adds up, and springs settle where statics says.
-#include <core/mechanics/forward_dynamics.hpp>
+#include <core/mechanics/forward_dynamics/forward_dynamics.hpp>
 
-#include <core/mechanics/generic_model.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <tests/plugins/plugin.hpp>
 
 #include <catch2/catch.hpp>

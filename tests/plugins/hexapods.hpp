@@ -1,7 +1,7 @@
 // Gough's, Stewart's and the two parallel-cross mechanisms as their tests meet them: the same six coordinates, the same reference file.
 #pragma once
 
-#include <core/mechanics/closed_form.hpp>
+#include <core/mechanics/model/closed_form.hpp>
 #include <tests/plugins/plugin.hpp>
 #include <tests/plugins/reference.hpp>
 

@@ -1,7 +1,7 @@
 // The motion of Table 1 of Zhang et al. 2016, prescribed at the rods of the 2Q-SPR: r = r0 + c t^3 / 6.
-#include <core/mechanics/closed_form.hpp>
-#include <core/mechanics/displacement.hpp>
-#include <core/mechanics/generic_model.hpp>
+#include <core/mechanics/displacement/displacement.hpp>
+#include <core/mechanics/model/closed_form.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <tests/plugins/reference.hpp>
 #include <tests/plugins/two_q_spr.hpp>
 

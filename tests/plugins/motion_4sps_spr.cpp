@@ -1,8 +1,8 @@
 // Inverse and forward displacement, velocity and acceleration of the 4SPS-SPR undo each other, and a forward solution never slips into
 // another assembly mode unnoticed.
-#include <core/mechanics/closed_form.hpp>
-#include <core/mechanics/displacement.hpp>
-#include <core/mechanics/generic_model.hpp>
+#include <core/mechanics/displacement/displacement.hpp>
+#include <core/mechanics/model/closed_form.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <tests/plugins/four_sps_spr.hpp>
 
 #include <catch2/catch.hpp>

@@ -7,9 +7,9 @@
 //     force   m (p'' + R'' X_c)
 //     moment  sum of R X dm x (p'' + R'' X) = R m X_c x p'' + ax(R E R''^T),  ax(u v^T) = u x v,
 // and of the inertia about the centre of mass follows E = (tr I / 2) 1 - I + m X_c X_c^T.
-#include <core/mechanics/inverse_dynamics.hpp>
-#include <core/mechanics/reactions.hpp>
-#include <core/mechanics/virtual_work.hpp>
+#include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/reactions/inverse_dynamics.hpp>
+#include <core/mechanics/reactions/reactions.hpp>
 #include <tests/plugins/plugin.hpp>
 
 #include <Eigen/Geometry>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <catch2/catch.hpp>
-#include <core/mechanics/state.hpp>
+#include <core/mechanics/model/state.hpp>
 #include <tests/plugins/plugin.hpp>
 
 namespace pmreport::test {

@@ -1,5 +1,5 @@
 // One suite of properties over every mechanism there is, and proof that the suite can fail.
-#include <core/mechanics/properties.hpp>
+#include <core/mechanics/conformance/properties.hpp>
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
 // The 2Q-SPR against an independent model in 50-digit arithmetic (tests/data/2q-spr.json).
-#include <core/mechanics/closed_form.hpp>
-#include <core/mechanics/closure.hpp>
-#include <core/mechanics/generic_model.hpp>
-#include <core/mechanics/virtual_work.hpp>
+#include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/model/closed_form.hpp>
+#include <core/mechanics/model/closure.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <tests/plugins/reference.hpp>
 #include <tests/plugins/two_q_spr.hpp>
 

@@ -1,8 +1,8 @@
 // The 4SPS-SPR against an independent model in 50-digit arithmetic (tests/data/4sps-spr.json), and against the lengths that the paper
 // prints.
-#include <core/mechanics/closed_form.hpp>
-#include <core/mechanics/closure.hpp>
-#include <core/mechanics/generic_model.hpp>
+#include <core/mechanics/model/closed_form.hpp>
+#include <core/mechanics/model/closure.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <tests/plugins/four_sps_spr.hpp>
 #include <tests/plugins/reference.hpp>
 

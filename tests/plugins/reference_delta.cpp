@@ -1,12 +1,12 @@
 // Jacobian, statics and singular poses of the Delta robot, against differences in extended precision and elementary mechanics.
-#include <core/mechanics/closed_form.hpp>
-#include <core/mechanics/generic_model.hpp>
+#include <core/mechanics/model/closed_form.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <tests/plugins/delta.hpp>
 #include <tests/plugins/reference.hpp>
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
-#include <core/mechanics/virtual_work.hpp>
+#include <core/mechanics/dynamics/virtual_work.hpp>
 #include <random>
 
 using namespace pmreport;

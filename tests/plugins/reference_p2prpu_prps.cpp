@@ -1,7 +1,7 @@
 // The P(2PRPU)/PRPS against closed forms that an independent multibody model confirmed (tests/data/p2prpu-prps.json).
-#include <core/mechanics/closed_form.hpp>
-#include <core/mechanics/closure.hpp>
-#include <core/mechanics/generic_model.hpp>
+#include <core/mechanics/model/closed_form.hpp>
+#include <core/mechanics/model/closure.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <tests/plugins/p2prpu_prps.hpp>
 #include <tests/plugins/reference.hpp>
 

@@ -1,5 +1,5 @@
 // Singularities that the sources state, or that follow from them: ranks of lines and wrenches, yaw angles, mobility.
-#include <core/mechanics/singularity.hpp>
+#include <core/mechanics/singularity/singularity.hpp>
 
 #include <tests/plugins/plugin.hpp>
 

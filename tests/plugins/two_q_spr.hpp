@@ -1,7 +1,7 @@
 // The 2Q-SPR plugin as its tests meet it.
 #pragma once
 
-#include <core/mechanics/state.hpp>
+#include <core/mechanics/model/state.hpp>
 #include <tests/plugins/plugin.hpp>
 
 #include <Eigen/Geometry>

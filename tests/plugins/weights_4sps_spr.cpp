@@ -1,12 +1,12 @@
 // Weights of all bodies at rest, against the reference cases without motion: their inverse dynamics is then load and weight alone.
 #include <catch2/catch.hpp>
 
-#include <core/mechanics/closed_form.hpp>
-#include <core/mechanics/generic_model.hpp>
+#include <core/mechanics/model/closed_form.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <nlohmann/json.hpp>
 #include <tests/plugins/four_sps_spr.hpp>
 
-#include <core/mechanics/virtual_work.hpp>
+#include <core/mechanics/dynamics/virtual_work.hpp>
 #include <fstream>
 
 using namespace pmreport;

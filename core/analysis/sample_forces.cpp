@@ -1,0 +1,179 @@
+#include <core/analysis/sample_forces.hpp>
+
+#include <core/mechanics/dynamics/drive.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pmreport::analysis {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using mechanics::SmallVector;
+using mechanics::Vector6d;
+
+namespace {
+
+void put(double* column, std::size_t sample, double value) {
+  if (column != nullptr && std::isfinite(value)) column[sample] = value + 0.0;  // no negative zero
+}
+
+// A residual that is not a number must not pass for a small one.
+void set(Row& row, Measure m, double value) {
+  row[static_cast<std::size_t>(m)] = std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
+}
+
+double relative(double deviation, double scale) { return scale > 0 ? deviation / scale : deviation; }
+
+}  // namespace
+
+SampleForces::SampleForces(const scenario::Scenario& s, const mechanics::Machine& m, const mechanics::JointFrames& frames, double length,
+                           const ForceColumns& columns)
+    : scenario_(s),
+      machine_(m),
+      frames_(frames),
+      length_(length),
+      columns_(columns),
+      dynamics_(m),
+      indeterminate_(m.topology().joints.size(), 0) {
+  loading_.gravity = s.load.gravity;
+  reactions_.joints.resize(m.topology().joints.size());
+  reactions_.actuator_forces.resize(m.dof());
+}
+
+void SampleForces::run(std::span<const Order> orders, std::vector<Row>& rows) {
+  solve(orders);
+  const scenario::Motion& motion = scenario_.motion;
+  for (std::size_t k = 0; k < orders.size(); ++k) {
+    const Order& order = orders[k];
+    const auto sample = static_cast<std::size_t>(order.sample);
+    if (!take(k, orders.size())) continue;
+    const SmallVector q = motion.value.row(order.sample), rate = motion.rate.row(order.sample),
+                      acceleration = motion.acceleration.row(order.sample);
+    evaluate(machine_, q.data(), rate.data(), acceleration.data(), state_);
+    loading_.platform << scenario_.load.force[sample], scenario_.load.moment[sample];
+    const mechanics::Tangent t = tangent(machine_, state_);
+    const mechanics::ForceShares shares = virtual_work(machine_, state_, t, loading_);
+    const SmallVector total = shares.total();
+    put_actuators(sample, shares, total);
+    put_drives(sample, t, total);
+    put_reactions(sample);
+
+    const VectorXd required = inertial_wrenches(machine_, state_) - applied_wrenches(machine_, state_, loading_);
+    Row& row = rows[sample];
+    set(row, Measure::free_body, free_body_residual(machine_, state_, reactions_.joints, reactions_.actuator_forces, required, length_));
+    if (!order.compared) continue;
+    // Shares that cancel leave their rounding behind.
+    double scale = required.lpNorm<Eigen::Infinity>();
+    for (const SmallVector* share : {&shares.load, &shares.gravity, &shares.inertia})
+      scale = std::max(scale, share->lpNorm<Eigen::Infinity>());
+    set(row, Measure::newton_euler, relative((total - reactions_.actuator_forces).lpNorm<Eigen::Infinity>(), scale));
+    if (order.judged) set(row, Measure::judge, judge());
+  }
+}
+
+void SampleForces::solve(std::span<const Order> orders) {
+  const std::size_t count = orders.size(), dof = static_cast<std::size_t>(machine_.dof());
+  const scenario::Motion& motion = scenario_.motion;
+  jets_.resize(3 * dof * count);
+  loads_.resize(6 * count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Index sample = orders[k].sample;
+    for (std::size_t i = 0; i < dof; ++i) {
+      const auto column = static_cast<Index>(i);
+      jets_[3 * i * count + k] = motion.value(sample, column);
+      jets_[(3 * i + 1) * count + k] = motion.rate(sample, column);
+      jets_[(3 * i + 2) * count + k] = motion.acceleration(sample, column);
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      loads_[c * count + k] = scenario_.load.force[static_cast<std::size_t>(sample)](static_cast<Index>(c));
+      loads_[(3 + c) * count + k] = scenario_.load.moment[static_cast<std::size_t>(sample)](static_cast<Index>(c));
+    }
+  }
+  dynamics_.solve(count, jets_.data(), loads_.data(), scenario_.load.gravity, chunk_);
+  self_stresses_ = std::max(self_stresses_, chunk_.stress_count);
+}
+
+bool SampleForces::take(std::size_t k, std::size_t count) {
+  for (Index i = 0; i < reactions_.actuator_forces.size(); ++i)
+    reactions_.actuator_forces(i) = chunk_.actuator_forces[static_cast<std::size_t>(i) * count + k];
+  if (!reactions_.actuator_forces.allFinite()) return false;
+  for (std::size_t j = 0; j < reactions_.joints.size(); ++j) {
+    for (std::size_t c = 0; c < 6; ++c) reactions_.joints[j](static_cast<Index>(c)) = chunk_.joints[(6 * j + c) * count + k];
+    indeterminate_[j] = static_cast<Indeterminate>(indeterminate_[j] | chunk_.indeterminate[j * count + k]);
+  }
+  return true;
+}
+
+void SampleForces::put_actuators(std::size_t sample, const mechanics::ForceShares& shares, const SmallVector& total) {
+  double power = 0;
+  for (std::size_t i = 0; i < columns_.actuators.size(); ++i) {
+    const auto at = static_cast<Index>(i);
+    const ForceColumns::OfActuator& to = columns_.actuators[i];
+    const double own = total(at) * state_.actuators[i].rate;
+    put(to.force, sample, total(at));
+    put(to.load, sample, shares.load(at));
+    put(to.gravity, sample, shares.gravity(at));
+    put(to.inertia, sample, shares.inertia(at));
+    put(to.power, sample, own);
+    power += own;
+  }
+  put(columns_.total_power, sample, power);
+  put(columns_.load_power, sample, loading_.platform.dot(state_.bodies[static_cast<std::size_t>(machine_.topology().platform)].twist()));
+  put(columns_.kinetic_energy, sample, kinetic_energy(machine_, state_));
+  put(columns_.potential_energy, sample, potential_energy(machine_, state_, loading_.gravity));
+}
+
+void SampleForces::put_drives(std::size_t sample, const mechanics::Tangent& tangent, const SmallVector& total) {
+  if (columns_.actuators.front().drive_force == nullptr) return;
+  const SmallVector inertia = reflected_inertia(tangent, equations_of_motion(machine_, state_, tangent, loading_.gravity).mass);
+  for (std::size_t i = 0; i < columns_.actuators.size(); ++i) {
+    const auto at = static_cast<Index>(i);
+    const ForceColumns::OfActuator& to = columns_.actuators[i];
+    const mechanics::Scalar& x = state_.actuators[i];
+    const mechanics::DriveTrain& drive = scenario_.drives.at(i);
+    const double force = drive_force(drive, total(at), x.rate);
+    put(to.drive_force, sample, force);
+    put(to.drive_power, sample, force * x.rate);
+    put(to.reflected_inertia, sample, inertia(at));
+    if (to.motor_torque == nullptr) continue;
+    const mechanics::MotorState motor = mechanics::motor(drive, total(at), x.rate, x.acceleration);
+    put(to.motor_torque, sample, motor.torque);
+    put(to.motor_speed, sample, motor.speed);
+    put(to.motor_power, sample, motor.power());
+  }
+}
+
+void SampleForces::put_reactions(std::size_t sample) {
+  for (std::size_t j = 0; j < columns_.joints.size(); ++j) {
+    const ForceColumns::OfJoint& to = columns_.joints[j];
+    if (to.force == nullptr) return;
+    const Vector6d& wrench = reactions_.joints[j];
+    const Vector6d local = mechanics::in_axes(frames_(state_, static_cast<int>(j)), wrench);
+    put(to.force, sample, wrench.head<3>().norm());
+    put(to.moment, sample, wrench.tail<3>().norm());
+    for (std::size_t c = 0; c < 6; ++c) {
+      put(to.joint_axes[c], sample, local(static_cast<Index>(c)));
+      put(to.base_axes[c], sample, wrench(static_cast<Index>(c)));
+    }
+  }
+  const std::vector<Vector6d> limbs = limb_wrenches(machine_, state_, reactions_);
+  for (std::size_t i = 0; i < limbs.size(); ++i)
+    for (std::size_t c = 0; c < 6; ++c) put(columns_.limbs[i][c], sample, limbs[i](static_cast<Index>(c)));
+}
+
+// Largest deviation of a force, or a moment per length, of what `take` took; relative to the largest in any joint.
+double SampleForces::judge() const {
+  const mechanics::JointReactions other = dense_reactions(machine_, state_, generic_model(machine_, state_), frames_, loading_, length_);
+  double deviation = (other.actuator_forces - reactions_.actuator_forces).lpNorm<Eigen::Infinity>();
+  double scale = other.actuator_forces.lpNorm<Eigen::Infinity>();
+  for (std::size_t j = 0; j < other.joints.size(); ++j) {
+    const Vector6d difference = other.joints[j] - reactions_.joints[j];
+    deviation = std::max({deviation, difference.head<3>().norm(), difference.tail<3>().norm() / length_});
+    scale = std::max({scale, other.joints[j].head<3>().norm(), other.joints[j].tail<3>().norm() / length_});
+  }
+  return relative(deviation, scale);
+}
+
+}  // namespace pmreport::analysis

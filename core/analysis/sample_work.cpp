@@ -1,0 +1,158 @@
+#include <core/analysis/sample_work.hpp>
+#include <core/mechanics/model/differences.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <core/mechanics/dynamics/virtual_work.hpp>
+#include <limits>
+
+namespace pmreport::analysis {
+
+using mechanics::Vector6d;
+
+namespace {
+
+// Deviation over scale; nothing over nothing agrees.
+double relative(double deviation, double scale) { return scale > 0 ? deviation / scale : deviation; }
+double largest_of(const Eigen::VectorXd& v) { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0; }
+
+// A residual that is not a number must not pass for a small one.
+void set(Row& row, Measure m, double value) {
+  row[static_cast<std::size_t>(m)] = std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+Condition SampleWork::run(int sample, int previous, Row& row, const Put& put) {
+  const scenario::Motion& motion = scenario_.motion;
+  const Eigen::VectorXd q = motion.value.row(sample), rate = motion.rate.row(sample), acceleration = motion.acceleration.row(sample);
+  if (!q.allFinite()) {
+    state_.why = "the motion " + motion.ending;
+    return Condition::unreachable;
+  }
+  evaluate(machine_, q.data(), rate.data(), acceleration.data(), state_);
+  if (state_.status == PM_UNREACHABLE) return Condition::unreachable;
+  if (state_.status != PM_OK) return Condition::failed;
+
+  const mechanics::ClosedForm c = closed_form(machine_, state_, length_);
+  const mechanics::GenericModel model = generic_model(machine_, state_);
+  kinematics(put, c);
+  residuals(row, c, model);
+  if (c.condition < Analysis::comparable) set(row, Measure::round_trip, round_trip(sample, previous, c.condition));
+  if (!(c.condition < Analysis::singular)) return Condition::singular;
+  if (statics_) statics(sample, row, put, c, model);
+  return Condition::good;
+}
+
+void SampleWork::kinematics(const Put& put, const mechanics::ClosedForm& c) {
+  const Topology& t = machine_.topology();
+  const auto all = [&](const auto& declared, const std::vector<mechanics::Scalar>& values) {
+    for (std::size_t i = 0; i < declared.size(); ++i) {
+      put(declared[i].name, values[i].value);
+      put(declared[i].name + "_rate", values[i].rate);
+      put(declared[i].name + "_acceleration", values[i].acceleration);
+    }
+  };
+  all(t.coordinates, state_.coordinates);
+  all(t.derived, state_.derived);
+  all(t.actuators, state_.actuators);
+  for (int i = 0; i < 3; ++i) {
+    const std::string axis = std::string("_") + "xyz"[i];
+    put("velocity" + axis, platform().velocity(i));
+    put("angular_velocity" + axis, platform().angular_velocity(i));
+    put("acceleration" + axis, platform().acceleration(i));
+    put("angular_acceleration" + axis, platform().angular_acceleration(i));
+  }
+  if (!t.readings.empty()) {
+    std::vector<double> q;
+    for (const mechanics::Scalar& x : state_.coordinates) q.push_back(x.value);
+    const std::vector<double> readings = machine_.readings(q, machine_.pose(q));
+    for (std::size_t i = 0; i < readings.size(); ++i) put(t.readings[i].name, readings[i]);
+  }
+  put("det_G", c.determinant);
+  put("condition", c.condition);
+  for (std::size_t i = 0; i < t.joints.size(); ++i) {
+    if (t.joints[i].kind == JointKind::prismatic) continue;
+    const std::vector<double> motion = closure_.motion(state_.bodies, static_cast<int>(i));
+    for (std::size_t n = 0; n < motion.size(); ++n) put(mechanics::joint_column(t.joints[i], n), motion[n]);
+  }
+}
+
+void SampleWork::residuals(Row& row, const mechanics::ClosedForm& c, const mechanics::GenericModel& model) {
+  const mechanics::ClosureError e = closure_.error(state_.bodies);
+  set(row, Measure::gap, e.gap);
+  set(row, Measure::misalignment, e.misalignment);
+
+  const Eigen::VectorXd v = stacked_twists(state_), a = stacked_twist_rates(state_);
+  const double v_scale = largest_of(v), a_scale = std::max(largest_of(a), v_scale * v_scale);
+  const Vector6d twist = platform().twist(), twist_rate = platform().twist_rate();
+  const Vector6d rates = actuator_rates(state_), accelerations = actuator_accelerations(state_);
+  set(row, Measure::velocity, relative(largest_of(model.constraints * v), v_scale));
+  set(row, Measure::acceleration, relative(largest_of(model.constraints * a + model.bias), a_scale));
+  set(row, Measure::jacobian, relative(largest_of(c.jacobian * twist - rates), v_scale));
+  set(row, Measure::jacobian_rate, relative(largest_of(c.jacobian * twist_rate + c.jacobian_rate * twist - accelerations), a_scale));
+  if (c.condition < Analysis::comparable) {
+    set(row, Measure::forward_velocity, relative(largest_of(forward_velocity(c, rates) - twist), v_scale));
+    set(row, Measure::forward_acceleration, relative(largest_of(forward_acceleration(c, accelerations, twist) - twist_rate), a_scale));
+  }
+  if (!machine_.topology().matrices.empty()) set(row, Measure::source, source_deviation(machine_, state_).value);
+  const mechanics::Deviation d = jets_against_differences(machine_, state_);
+  if (d.reachable) {
+    set(row, Measure::difference_rate, d.rate);
+    set(row, Measure::difference_acceleration, d.acceleration);
+  }
+}
+
+// The guess lies towards the neighbouring sample, at most a tenth of the characteristic length, or 0.1 rad, away; nearer next to a singular
+// pose, beyond which another assembly mode has the same actuator values.
+double SampleWork::round_trip(int sample, int previous, double condition) {
+  const auto unit = [&](int i) { return machine_.topology().coordinates[static_cast<std::size_t>(i)].unit == "m" ? length_ : 1.0; };
+  const Eigen::VectorXd q = scenario_.motion.value.row(sample);
+  Eigen::VectorXd neighbour = scenario_.motion.value.row(previous);
+  if (!neighbour.allFinite()) neighbour = q;
+  const double allowed = std::min(0.1, 1 / condition);
+  double far = 0;
+  for (int i = 0; i < q.size(); ++i) far = std::max(far, std::abs(neighbour(i) - q(i)) / (allowed * unit(i)));
+  const Eigen::VectorXd guess = q + (neighbour - q) / std::max(far, 1.0);
+  mechanics::SmallVector l(machine_.dof());
+  for (int i = 0; i < q.size(); ++i) l(i) = state_.actuators[static_cast<std::size_t>(i)].value;
+  const mechanics::ForwardSolution s = forward_.solve(l, guess);
+  if (s.outcome != mechanics::ForwardOutcome::converged) return std::numeric_limits<double>::infinity();
+  double worst = 0;
+  for (int i = 0; i < q.size(); ++i) worst = std::max(worst, std::abs(s.coordinates(i) - q(i)) / unit(i));
+  return worst;
+}
+
+void SampleWork::statics(int sample, Row& row, const Put& put, const mechanics::ClosedForm& c, const mechanics::GenericModel& model) {
+  const Topology& t = machine_.topology();
+  const scenario::Load& load = scenario_.load;
+  const Eigen::VectorXd weight = weights(machine_, state_, load.gravity), twists = stacked_twists(state_);
+  Vector6d wrench;
+  wrench << load.force[static_cast<std::size_t>(sample)], load.moment[static_cast<std::size_t>(sample)];
+
+  // Load by G; weights by virtual work. What the limbs exert on the platform balances its load and its own weight.
+  Eigen::VectorXd forces = closed_statics(c, wrench).head(machine_.dof());
+  if (!load.gravity.isZero()) forces += weight_forces(machine_, state_, load.gravity);
+  const Vector6d on_platform = closed_statics(c, wrench + weight.segment<6>(6 * t.platform - 6));
+  for (int i = 0; i < machine_.dof(); ++i) put(t.actuators[static_cast<std::size_t>(i)].name + "_force", forces(i));
+  for (std::size_t i = 0; i < t.constraints.size(); ++i) put(t.constraints[i].name, on_platform(machine_.dof() + static_cast<int>(i)));
+
+  if (c.condition < Analysis::comparable) {
+    Eigen::VectorXd wrenches = weight;
+    wrenches.segment<6>(6 * t.platform - 6) += wrench;
+    const mechanics::GenericStatics g = generic_statics(model, wrenches);
+    set(row, Measure::statics, relative(largest_of(g.actuator_forces - forces), std::max(largest_of(forces), largest_of(wrenches))));
+    set(row, Measure::equilibrium, g.residual);
+  }
+  const Vector6d twist = platform().twist();
+  double power = wrench.dot(twist) + weight.dot(twists);
+  double scale = std::max(largest_of(wrench.cwiseProduct(twist)), largest_of(weight.cwiseProduct(twists)));
+  for (int i = 0; i < machine_.dof(); ++i) {
+    const double p = forces(i) * state_.actuators[static_cast<std::size_t>(i)].rate;
+    power += p;
+    scale = std::max(scale, std::abs(p));
+  }
+  set(row, Measure::power, relative(std::abs(power), scale));
+}
+
+}  // namespace pmreport::analysis

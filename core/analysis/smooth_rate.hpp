@@ -1,0 +1,17 @@
+// The rate of a quantity along a motion, by differences: for evidence that owes nothing to the derivatives it judges.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+namespace pmreport::analysis {
+
+struct SmoothRate {
+  double value;
+  double change;  // of it when the step was halved once more: what it is good to
+};
+// Of f at t, by eighth-order central differences within [begin, end]. Of steps halved again and again the one counts whose result changes
+// least by halving. Where even that change is large, f is not smooth around t. Nothing at the ends, or where f is NaN around t.
+std::optional<SmoothRate> smooth_rate(const std::function<double(double)>& f, double t, double begin, double end);
+
+}  // namespace pmreport::analysis

@@ -1,0 +1,251 @@
+#include <core/mechanics/assembly/search.hpp>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <ranges>
+
+namespace pmreport::mechanics {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr std::size_t walkers = 16;  // as many as are placed together
+constexpr double verified = 1e-10;   // largest residual of a mode, by substitution
+constexpr int often = 4;             // starts that reach a mode, so that the rarest of all is likely to have been seen
+constexpr double fold = 1e-9;        // a mode whose actuator slopes have this determinant lies on a singular surface
+
+}  // namespace
+
+AssemblySearch::AssemblySearch(std::span<const std::unique_ptr<Machine>> machines, const Eigen::VectorXd& actuators,
+                               const AssemblyOptions& options, AssemblyModes& out)
+    : options_(options),
+      out_(out),
+      machines_(machines),
+      target_(machines, actuators),
+      placer_(target_),
+      home_(target_.numbers(machines.front()->home())),
+      random_(options.seed) {
+  releases();
+  for (const auto& a : machines_) {
+    neighbours_.emplace_back();
+    for (std::size_t b = 0; b < machines_.size(); ++b) {
+      int differences = 0;
+      for (std::size_t i = 0; i < a->values().size(); ++i) differences += a->values()[i] != machines_[b]->values()[i];
+      if (differences == 1) neighbours_.back().push_back(b);
+    }
+  }
+}
+
+// Each actuator alone, and as many ways in which all move together: curves of other families join what one family leaves apart.
+void AssemblySearch::releases() {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (std::size_t k = 0; k < 2 * static_cast<std::size_t>(target_.dof()); ++k) {
+    Eigen::VectorXd share = Eigen::VectorXd::Zero(target_.dof());
+    if (k < static_cast<std::size_t>(target_.dof()))
+      share(static_cast<Eigen::Index>(k)) = 1;
+    else
+      for (double& x : share) x = unit(random_);
+    Eigen::Index lead = 0;
+    share.cwiseAbs().maxCoeff(&lead);
+    releases_.push_back({k, lead, share / share(lead)});
+  }
+}
+
+bool AssemblySearch::same_bodies(const Machine& m, const Pose& a, const Pose& b, double tolerance) {
+  const std::size_t end = m.layout().joint(0);
+  for (std::size_t i = 1; i < end; ++i)
+    if (!(std::abs(a.numbers[i] - b.numbers[i]) <= tolerance)) return false;
+  return true;
+}
+
+// The mode at a site, entered among the modes if it is new: bodies and platform stand where no other mode has them.
+std::size_t AssemblySearch::enter(const Site& site, int start) {
+  const Machine& m = *machines_[site.word];
+  SmallVector q = target_.coordinates(site.u);
+  for (Eigen::Index i = 0; i < q.size(); ++i)
+    if (target_.angle(i)) q(i) = std::remainder(q(i), 2 * pi);
+  const Pose pose = m.pose({q.data(), static_cast<std::size_t>(q.size())});
+  if (pose.status != PM_OK) return no_mode;
+  const double residual =
+      target_.error(Eigen::Map<const Eigen::VectorXd>(pose.numbers.data() + m.layout().actuator(0), m.dof())).lpNorm<Eigen::Infinity>();
+  if (!(residual <= verified)) return no_mode;
+  // At a fold two modes are one, found to half the digits only.
+  const double near = std::abs(site.slope.determinant()) < fold ? std::sqrt(same_placement) : same_placement;
+  for (std::size_t k = 0; k < out_.modes.size(); ++k)
+    if (same_bodies(m, pose, out_.modes[k].pose, near * target_.size())) return k;
+  if (out_.modes.size() >= options_.most_modes) {
+    out_.complete_search = false;
+    return no_mode;
+  }
+  AssemblyMode mode;
+  mode.word = site.word;
+  mode.coordinates = q;
+  mode.pose = pose;
+  out_.modes.push_back(mode);
+  released_.emplace_back(releases_.size(), false);
+  quiet_ = 0;
+  if (start > 0) out_.last_new = start;
+  const Eigen::PartialPivLU<SmallMatrix> slope(site.slope);
+  for (const Release& r : releases_) {
+    const SmallVector tangent = slope.solve(r.share);
+    if (tangent.allFinite()) lines_.push_back({{site.word, &r, site.u, tangent}, out_.modes.size() - 1, false});
+  }
+  return out_.modes.size() - 1;
+}
+
+bool AssemblySearch::enough() const {
+  if (out_.starts >= options_.most_starts || !out_.complete_search) return true;
+  return quiet_ >= std::max(options_.quiet_arrivals, 12 * static_cast<int>(out_.modes.size())) &&
+         std::ranges::all_of(out_.modes, [](const AssemblyMode& m) { return m.reached_by_starts >= often; });
+}
+
+// Starts over the whole space: angles all around, positions in boxes about home of all sizes up to `widest`. Poses that cannot be assembled
+// are drawn anew a few times, then pulled towards home. Of the words of the working mode every other start takes the one whose actuators
+// are nearest to their targets.
+void AssemblySearch::more_candidates() {
+  constexpr double widest = 1.5;
+  constexpr int draws = 24, pulls = 8;
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<SmallVector> poses(walkers);
+  std::vector<bool> settled(walkers, false);
+  for (int draw = 0; draw < draws + pulls; ++draw) {
+    for (std::size_t k = 0; k < walkers; ++k) {
+      if (settled[k]) continue;
+      if (draw >= draws) {
+        poses[k] = home_ + 0.7 * (poses[k] - home_);
+        continue;
+      }
+      const double box = widest * std::abs(unit(random_));
+      const bool at_home = out_.modes.empty() || k % 4 < 2;
+      poses[k] = at_home ? home_ : target_.numbers(out_.modes[random_() % out_.modes.size()].coordinates);
+      for (Eigen::Index i = 0; i < home_.size(); ++i) poses[k](i) += unit(random_) * (target_.angle(i) ? pi : box);
+    }
+    const std::vector<double> miss = placer_.misses(random_() % machines_.size(), poses);
+    for (std::size_t k = 0; k < walkers; ++k) settled[k] = settled[k] || std::isfinite(miss[k]);
+    if (std::ranges::all_of(settled, std::identity{})) break;
+  }
+  std::vector<std::vector<double>> misses;
+  for (std::size_t w = 0; w < machines_.size(); ++w) misses.push_back(placer_.misses(w, poses));
+  std::vector<std::size_t> possible;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    possible.clear();
+    for (std::size_t w = 0; w < misses.size(); ++w)
+      if (std::isfinite(misses[w][k])) possible.push_back(w);
+    if (possible.empty()) continue;
+    std::size_t word = possible[random_() % possible.size()];
+    if (k % 2 == 0)
+      for (const std::size_t w : possible)
+        if (misses[w][k] < misses[word][k]) word = w;
+    candidates_.push_back({word, poses[k]});
+  }
+}
+
+void AssemblySearch::begin_start(std::size_t word, const SmallVector& u) {
+  Task task;
+  task.halt = std::make_unique<Halt>();
+  task.start = newton(*task.halt, word, u, 0.3, 40);
+  task.number = ++out_.starts;
+  task.start->begin();
+  tasks_.push_back(std::move(task));
+}
+
+void AssemblySearch::begin_trace(const Line& line) {
+  Task task;
+  task.halt = std::make_unique<Halt>();
+  task.line = line;
+  const auto released = line.curve.release->number;
+  if (line.mode != no_mode) released_[line.mode][released] = true;
+  ++out_.curves;
+  task.trace = trace(*task.halt, line.curve, target_, [this, mode = line.mode, released](const Site& site) {
+    const std::size_t passed = enter(site, 0);
+    if (passed == no_mode) return false;
+    // A curve that comes from an edge of reach need not go on where another has been.
+    const bool end = mode == no_mode ? released_[passed][released] : passed == mode;
+    released_[passed][released] = true;
+    return end;
+  });
+  task.trace->begin();
+  tasks_.push_back(std::move(task));
+}
+
+// Curves before starts: they are what finds most. False when there is nothing more to do.
+bool AssemblySearch::begin_next() {
+  while (!lines_.empty()) {
+    const Line line = lines_.front();
+    lines_.pop_front();
+    if (line.mode != no_mode && !line.back && released_[line.mode][line.curve.release->number]) continue;
+    begin_trace(line);
+    return true;
+  }
+  if (enough()) return false;
+  for (int tries = 0; candidates_.empty() && tries < 64; ++tries) more_candidates();
+  if (candidates_.empty()) return false;
+  begin_start(candidates_.front().first, candidates_.front().second);
+  candidates_.pop_front();
+  return true;
+}
+
+// A curve that goes out of reach meets there a curve of a word with one other choice, for both are halves of one smooth curve of the
+// mechanism. Where it is a held actuator that comes to the end of its reach, the poses go on beyond; where it is the released one they turn
+// back, with other values of that actuator. Both are tried with each such word: those that do not fit are not on the curve and end at once.
+void AssemblySearch::cross_the_edge(const Curve& curve, const CurveEnd& end) {
+  for (const auto& [release, u] : edges_)
+    if (release == curve.release && (u - end.u).norm() < 0.02) return;
+  edges_.emplace_back(curve.release, end.u);
+  for (const std::size_t word : neighbours_[curve.word]) {
+    lines_.push_back({{word, curve.release, end.u, -end.tangent}, no_mode, false});
+    for (const double s : {0.02, 0.06}) {
+      const SmallVector u = end.u + s * (end.tangent + 0.5 * s * end.bend), tangent = end.tangent + s * end.bend;
+      lines_.push_back({{word, curve.release, u, tangent}, no_mode, false});
+    }
+  }
+}
+
+void AssemblySearch::finish(Task& task) {
+  if (task.trace) {
+    const CurveEnd end = task.trace->result();
+    if (end.how == CurveEnd::How::out_of_reach) cross_the_edge(task.line.curve, end);
+    if (end.how == CurveEnd::How::closed || task.line.mode == no_mode || task.line.back) return;
+    Line back = task.line;
+    back.back = true;
+    back.curve.tangent = -back.curve.tangent;
+    lines_.push_back(back);
+    return;
+  }
+  const Arrival a = task.start->result();
+  if (!a.found) return;
+  const std::size_t before = out_.modes.size(), mode = enter(a.site, task.number);
+  if (mode == no_mode) return;
+  ++out_.arrivals;
+  ++out_.modes[mode].reached_by_starts;
+  if (out_.modes.size() == before) ++quiet_;
+}
+
+void AssemblySearch::run(const Eigen::VectorXd& reference) {
+  candidates_.push_back({0, target_.numbers(reference)});
+  std::vector<Site*> sites;
+  while (true) {
+    while (tasks_.size() < walkers && begin_next()) {
+    }
+    if (tasks_.empty()) break;
+    sites.clear();
+    for (Task& t : tasks_) sites.push_back(&t.halt->site);
+    out_.placements += static_cast<std::int64_t>(sites.size());
+    placer_.place(sites);
+    for (std::size_t k = 0; k < tasks_.size();) {
+      Task& t = tasks_[k];
+      t.halt->next.resume();
+      if (t.start ? t.start->done() : t.trace->done()) {
+        finish(t);
+        tasks_.erase(tasks_.begin() + static_cast<std::ptrdiff_t>(k));
+      } else {
+        ++k;
+      }
+    }
+  }
+}
+
+}  // namespace pmreport::mechanics

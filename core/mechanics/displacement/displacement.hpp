@@ -1,0 +1,57 @@
+// Forward displacement: the coordinates at which the actuators have given values.
+#pragma once
+
+#include <Eigen/Core>
+#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/model/state.hpp>
+
+namespace pmreport::mechanics {
+
+using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;  // dof long, without an allocation
+using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+
+enum class ForwardOutcome {
+  converged,
+  not_converged,       // no solution near the guess: out of reach, or the guess is too far
+  other_assembly_mode  // the way to the solution crosses a singular surface: it belongs to another assembly mode
+};
+
+struct ForwardSolution {
+  ForwardOutcome outcome = ForwardOutcome::not_converged;
+  SmallVector coordinates;  // the best found
+  double residual = 0;      // largest actuator deviation, [m] or [rad]
+  int iterations = 0;       // evaluations of `place`
+  std::string why;          // a sentence when not converged
+};
+
+// Newton on l(q) = l*: J dq = l* - l(q), J = dl/dq from the exact partials of `place`. A placement with partials costs several plain
+// ones, so J^-1 is kept and improved by Broyden's rank-one update while the error falls fast, and taken anew from the partials when it does
+// not. A step is at most a tenth of the mechanism's size, or 0.3 rad, and halved while the pose it leads to cannot be assembled. The guess
+// tells the assembly mode: the solution must have det G of the same sign. Keeps its buffers: make one a thread and reuse it.
+class ForwardSolver {
+ public:
+  explicit ForwardSolver(const Machine& machine);
+
+  ForwardSolution solve(const SmallVector& actuators, const SmallVector& guess);
+
+  static constexpr double tolerance = 1e-14;  // of the actuators, relative to the mechanism's size: a few roundings
+  static constexpr int max_iterations = 100;
+
+ private:
+  bool place(const SmallVector& q);  // fills values_; false where q cannot be assembled
+  SmallVector error(const SmallVector& actuators) const;
+  SmallMatrix inverse_jacobian(const SmallVector& q);
+  double determinant() const;
+
+  const Machine& machine_;
+  double size_ = 0;
+  SmallVector largest_step_;
+  std::vector<double> partials_, values_;
+};
+
+// Continuation: solves a sequence of actuator values, each from the solution before it, the first from `start`. Stops at the first that
+// fails.
+std::vector<ForwardSolution> follow_actuators(const Machine& machine, const std::vector<Eigen::VectorXd>& actuators,
+                                              const Eigen::VectorXd& start);
+
+}  // namespace pmreport::mechanics

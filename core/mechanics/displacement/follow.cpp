@@ -1,0 +1,168 @@
+#include <core/mechanics/displacement/follow.hpp>
+
+#include <core/mechanics/model/generic_model.hpp>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pmreport::mechanics {
+
+namespace {
+
+// Of the mechanism's size, or radians. A longer step could pass over a neighbouring branch.
+constexpr double longest_step = 0.25;
+// How far the solution may lie from the prediction: a share of the step, so that the prediction follows the branch, or a distance within
+// which no other branch with the same sign of det G lies.
+constexpr double largest_share = 0.25, negligible = 1e-3;
+// Of the whole span: how near an obstacle is approached, hence how exactly its time is known.
+constexpr double resolution_of_span = 1e-10;
+// On a branch that folds back det G vanishes as the root of the time that is left, at the resolution to 1e-5; at the edge of reach it
+// stays.
+constexpr double vanished = 1e-3;
+
+}  // namespace
+
+Follower::Follower(const Machine& machine, const Drive& drive)
+    : machine_(machine),
+      drive_(drive),
+      solver_(machine),
+      unit_(machine.dof()),
+      values_(machine.layout().size()),
+      partials_(machine.layout().size() * machine.components(PM_PARTIALS)),
+      jets_(machine.layout().size() * machine.components(PM_JET)) {
+  const double length = characteristic_length(machine);
+  for (int i = 0; i < machine.dof(); ++i) unit_(i) = machine.topology().coordinates[static_cast<std::size_t>(i)].unit == "m" ? length : 1.0;
+  largest_determinant_ = std::abs(determinant(machine.home()));
+}
+
+double Follower::size_of(const SmallVector& dq) const { return (dq.array() / unit_.array()).abs().maxCoeff(); }
+
+// det G at q; NaN where q cannot be assembled.
+double Follower::determinant(const SmallVector& q) {
+  if (machine_.place(PM_VALUE, 1, q.data(), values_.data()) != PM_OK) return std::numeric_limits<double>::quiet_NaN();
+  double g[36];
+  machine_.jacobian(PM_VALUE, 1, values_.data(), g);
+  return Eigen::Map<const Matrix6d>(g).determinant();  // of the transpose, which has the same
+}
+
+// With J = dl/dq:   l' = J q'   and   l'' = J q'' + (dJ/dt) q'. The jet of l along (q, q', 0) has the second derivative (dJ/dt) q',
+// exactly.
+Waymark Follower::waymark(double t, const SmallVector& q) {
+  const int m = machine_.dof();
+  const std::size_t first = machine_.layout().actuator(0), components = machine_.components(PM_PARTIALS);
+  SmallVector l(m), rate(m), acceleration(m);
+  drive_(t, l.data(), rate.data(), acceleration.data());
+  machine_.place(PM_PARTIALS, 1, q.data(), partials_.data());
+  SmallMatrix j(m, m);
+  for (int i = 0; i < m; ++i)
+    for (int k = 0; k < m; ++k) j(i, k) = partials_[(first + static_cast<std::size_t>(i)) * components + 1 + static_cast<std::size_t>(k)];
+  const Eigen::PartialPivLU<SmallMatrix> lu(j);
+  Waymark out{t, q, lu.solve(rate), SmallVector::Zero(m)};
+
+  std::vector<double> along(static_cast<std::size_t>(3 * m));
+  for (int i = 0; i < m; ++i) {
+    along[static_cast<std::size_t>(3 * i)] = q(i);
+    along[static_cast<std::size_t>(3 * i + 1)] = out.rate(i);
+    along[static_cast<std::size_t>(3 * i + 2)] = 0;
+  }
+  machine_.place(PM_JET, 1, along.data(), jets_.data());
+  for (int i = 0; i < m; ++i) acceleration(i) -= jets_[3 * (first + static_cast<std::size_t>(i)) + 2];
+  out.acceleration = lu.solve(acceleration);
+  return out;
+}
+
+bool Follower::step(const Waymark& from, double to, SmallVector& q) {
+  const int m = machine_.dof();
+  SmallVector l(m), rate(m), acceleration(m);
+  drive_(to, l.data(), rate.data(), acceleration.data());
+  if (!l.allFinite()) return false;
+  const double h = to - from.time, side = determinant(from.value);
+  SmallVector guess = from.value + h * (from.rate + h / 2 * from.acceleration);
+  if (!guess.allFinite() || size_of(guess - from.value) > longest_step) return false;
+  if (!(determinant(guess) * side > 0)) guess = from.value;
+  const ForwardSolution s = solver_.solve(l, guess);
+  if (s.outcome != ForwardOutcome::converged) return false;
+  const double moved = size_of(s.coordinates - from.value), corrected = size_of(s.coordinates - guess);
+  if (moved > longest_step || corrected > std::max(largest_share * moved, negligible)) return false;
+  const double determinant_there = determinant(s.coordinates);
+  if (!(determinant_there * side > 0)) return false;
+  largest_determinant_ = std::max({largest_determinant_, std::abs(side), std::abs(determinant_there)});
+  q = s.coordinates;
+  return true;
+}
+
+Follower::Arrival Follower::go(Waymark at, double to, double resolution) {
+  double h = to - at.time;
+  const double direction = h < 0 ? -1 : 1;
+  SmallVector q;
+  while (at.time != to) {
+    const bool last = std::abs(h) >= std::abs(to - at.time);
+    const double next = last ? to : at.time + h;
+    if (step(at, next, q)) {
+      at = waymark(next, q);
+      h *= 2;
+      continue;
+    }
+    h = (next - at.time) / 2;
+    if (std::abs(h) < resolution) return stopped(std::move(at), direction, resolution);
+  }
+  return {std::move(at), Obstacle::none, ""};
+}
+
+// Why the way ends: where det G has vanished the surface is singular. Elsewhere the mechanism may say itself why it goes no further.
+Follower::Arrival Follower::stopped(Waymark at, double direction, double resolution) {
+  const double left = std::abs(determinant(at.value));
+  if (!(left > vanished * largest_determinant_)) return {std::move(at), Obstacle::singular, ""};
+  std::string why;
+  for (double h = resolution; why.empty() && size_of(h * at.rate) < negligible && h < 1e9 * resolution; h *= 2) {
+    const SmallVector beyond = at.value + direction * h * at.rate;
+    if (machine_.place(PM_VALUE, 1, beyond.data(), values_.data(), &why) == PM_OK) why.clear();
+  }
+  return {std::move(at), Obstacle::unreachable, why};
+}
+
+FollowedMotion follow(const Machine& machine, const Drive& drive, const std::vector<double>& times, const SmallVector& start) {
+  FollowedMotion out;
+  const auto rows = static_cast<Eigen::Index>(times.size());
+  for (Eigen::MatrixXd* m : {&out.value, &out.rate, &out.acceleration})
+    m->setConstant(rows, machine.dof(), std::numeric_limits<double>::quiet_NaN());
+  const double resolution = resolution_of_span * (times.back() - times.front());
+  Follower follower(machine, drive);
+  Follower::Arrival a{follower.waymark(times.front(), start), Obstacle::none, ""};
+  for (Eigen::Index k = 0; k < rows; ++k) {
+    if (k > 0) a = follower.go(std::move(a.at), times[static_cast<std::size_t>(k)], resolution);
+    out.ending = a.at.time;
+    if (a.obstacle != Obstacle::none) {
+      out.obstacle = a.obstacle;
+      out.why = a.why;
+      return out;
+    }
+    out.value.row(k) = a.at.value;
+    out.rate.row(k) = a.at.rate;
+    out.acceleration.row(k) = a.at.acceleration;
+    ++out.reached;
+  }
+  return out;
+}
+
+SmallVector actuators_at(const Machine& machine, const SmallVector& coordinates) {
+  std::vector<double> values(machine.layout().size());
+  if (machine.place(PM_VALUE, 1, coordinates.data(), values.data()) != PM_OK)
+    return SmallVector::Constant(machine.dof(), std::numeric_limits<double>::quiet_NaN());
+  return Eigen::Map<const Eigen::VectorXd>(values.data() + machine.layout().actuator(0), machine.dof());
+}
+
+Approach approach(const Machine& machine, const SmallVector& start, const SmallVector& actuators) {
+  const SmallVector from = actuators_at(machine, start), way = actuators - from;
+  const Drive straight = [&](double share, double* value, double* rate, double* acceleration) {
+    for (int i = 0; i < way.size(); ++i) value[i] = from(i) + share * way(i), rate[i] = way(i), acceleration[i] = 0;
+    if (share == 1) std::copy_n(actuators.data(), actuators.size(), value);
+  };
+  Follower follower(machine, straight);
+  const Follower::Arrival a = follower.go(follower.waymark(0, start), 1, resolution_of_span);
+  return {a.at.value, a.at.time, a.obstacle, a.why};
+}
+
+}  // namespace pmreport::mechanics

@@ -1,0 +1,47 @@
+// Dynamics in the independent coordinates, by virtual work with the exact partials of `place`.
+//
+// For every admissible displacement dq, with dl = J dq of the actuators and K dq of the bodies (displacement of the origin; rotation),
+//     tau . J dq + (applied - inertial) . K dq = 0,   hence   tau = J^-T K^T (inertial - applied):
+// the joints do no work, and no reaction enters. With inertial = M_b K q'' + terms of the rates, the same sums give the equations of motion
+//     M q'' + c + g = J^T tau + K^T load,   M = K^T M_b K.
+#pragma once
+
+#include <core/mechanics/displacement/displacement.hpp>
+#include <core/mechanics/dynamics/momentum.hpp>
+
+namespace pmreport::mechanics {
+
+// How bodies and actuators move with the independent coordinates, at one pose.
+struct Tangent {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;  // as the contract has partials
+  Rows bodies;            // K, 6 n x m: (velocity of the origin; angular velocity) of the bodies 1..n by each coordinate's rate
+  SmallMatrix actuators;  // J, m x m
+  std::vector<double> placement_partials;  // as the contract has them
+};
+// Of the pose of `state`. The second reuses the memory of `out`.
+Tangent tangent(const Machine& machine, const State& state);
+void tangent(const Machine& machine, const State& state, Tangent& out);
+
+// The actuator forces, push positive, [N] or [N m], by what asks for them. They sum to the whole.
+struct ForceShares {
+  SmallVector load, gravity, inertia;
+  SmallVector total() const { return load + gravity + inertia; }
+};
+ForceShares virtual_work(const Machine& machine, const State& state, const Tangent& tangent, const Loading& loading);
+
+// The share of the weights alone, at rest or not.
+SmallVector weight_forces(const Machine& machine, const State& state, const Eigen::Vector3d& gravity);
+
+// M q'' + coriolis + gravity = J^T tau + K^T load. Units by coordinate: N, or N m where it is an angle.
+struct EquationsOfMotion {
+  SmallMatrix mass;      // M, symmetric positive definite: kinetic energy q' M q' / 2
+  SmallVector coriolis;  // centrifugal and Coriolis terms at the rates of the state
+  SmallVector gravity;
+};
+// At the coordinates and rates of `state`; its accelerations play no part.
+EquationsOfMotion equations_of_motion(const Machine& machine, const State& state, const Tangent& tangent, const Eigen::Vector3d& gravity);
+
+// The inertia that each actuator feels, the other actuators held: diagonal of J^-T M J^-1 [kg], or [kg m^2] of a rotary actuator.
+SmallVector reflected_inertia(const Tangent& tangent, const SmallMatrix& mass);
+
+}  // namespace pmreport::mechanics

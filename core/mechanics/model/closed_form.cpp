@@ -1,0 +1,84 @@
+#include <core/mechanics/model/closed_form.hpp>
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <limits>
+
+namespace pmreport::mechanics {
+
+ClosedForm closed_form(const Machine& machine, const State& state, double length) {
+  double jets[108];
+  machine.jacobian(PM_JET, 1, state.placement_jets.data(), jets);
+  ClosedForm c;
+  for (int e = 0; e < 36; ++e) {
+    c.jacobian(e / 6, e % 6) = jets[3 * e];
+    c.jacobian_rate(e / 6, e % 6) = jets[3 * e + 1];
+  }
+  c.determinant = c.jacobian.determinant();
+
+  // Moments count per characteristic length; a row whose magnitude is a couple, or an angle's torque, is measured in that length as well.
+  Matrix6d g = c.jacobian;
+  g.rightCols<3>() /= length;
+  const Topology& t = machine.topology();
+  for (int i = 0; i < 6; ++i) {
+    const auto k = static_cast<std::size_t>(i < machine.dof() ? i : i - machine.dof());
+    const bool angular = i < machine.dof() ? t.actuators[k].unit == "rad" : t.constraints[k].unit == "N*m";
+    if (angular) g.row(i) *= length;
+  }
+  const auto sigma = Eigen::JacobiSVD<Matrix6d>(g).singularValues();
+  c.condition = sigma(5) > 0 ? sigma(0) / sigma(5) : std::numeric_limits<double>::infinity();
+  return c;
+}
+
+Vector6d actuator_rates(const State& state) {
+  Vector6d r = Vector6d::Zero();
+  for (std::size_t i = 0; i < state.actuators.size(); ++i) r(static_cast<int>(i)) = state.actuators[i].rate;
+  return r;
+}
+
+Vector6d actuator_accelerations(const State& state) {
+  Vector6d r = Vector6d::Zero();
+  for (std::size_t i = 0; i < state.actuators.size(); ++i) r(static_cast<int>(i)) = state.actuators[i].acceleration;
+  return r;
+}
+
+Vector6d forward_velocity(const ClosedForm& c, const Vector6d& rates) { return c.jacobian.partialPivLu().solve(rates); }
+
+Vector6d forward_acceleration(const ClosedForm& c, const Vector6d& accelerations, const Vector6d& twist) {
+  return c.jacobian.partialPivLu().solve(accelerations - c.jacobian_rate * twist);
+}
+
+Vector6d closed_statics(const ClosedForm& c, const Vector6d& load) { return -c.jacobian.transpose().partialPivLu().solve(load); }
+
+SourceDeviation source_deviation(const Machine& machine, const State& state) {
+  const Topology& t = machine.topology();
+  if (t.matrices.empty()) return {};
+  const auto rates = [](const std::vector<Scalar>& of) {
+    Eigen::VectorXd v(static_cast<Eigen::Index>(of.size()));
+    for (std::size_t i = 0; i < of.size(); ++i) v(static_cast<Eigen::Index>(i)) = of[i].rate;
+    return v;
+  };
+  const Eigen::VectorXd all[] = {rates(state.coordinates), rates(state.actuators),
+                                 state.bodies[static_cast<std::size_t>(t.platform)].twist()};
+  std::vector<double> q;
+  for (const Scalar& c : state.coordinates) q.push_back(c.value);
+  const std::vector<Eigen::MatrixXd> given = machine.matrices(q, machine.pose(q));
+  SourceDeviation worst;
+  if (given.empty()) worst.value = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(t.matrices[i].rows);
+    double scale = 1e-300;
+    const auto add = [&](const Eigen::VectorXd& term) {
+      sum += term;
+      scale = std::max(scale, term.lpNorm<Eigen::Infinity>());
+    };
+    for (std::size_t k = 0; k < given.size(); ++k)
+      if (t.matrices[k].relation == t.matrices[i].relation) add(given[k] * all[static_cast<std::size_t>(t.matrices[k].acts_on)]);
+    if (t.matrices[i].gives != Rates::none) add(-all[static_cast<std::size_t>(t.matrices[i].gives)]);
+    const double deviation = sum.lpNorm<Eigen::Infinity>() / scale;
+    if (!(deviation <= worst.value) || worst.matrix < 0) worst = {deviation, static_cast<int>(i)};
+  }
+  return worst;
+}
+
+}  // namespace pmreport::mechanics

@@ -1,0 +1,170 @@
+#include <core/mechanics/singularity/singularity.hpp>
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <cmath>
+#include <limits>
+
+namespace pmreport::mechanics {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+bool angular(const Machine& m, int row) {
+  const Topology& t = m.topology();
+  return row < m.dof() ? t.actuators[static_cast<std::size_t>(row)].unit == "rad"
+                       : t.constraints[static_cast<std::size_t>(row - m.dof())].unit == "N*m";
+}
+
+std::optional<Matrix6d> jacobian_of(const Machine& machine, const double* placement) {
+  double numbers[36];
+  if (machine.jacobian(PM_VALUE, 1, placement, numbers) != PM_OK) return std::nullopt;
+  const Matrix6d g = Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(numbers);
+  return g.allFinite() ? std::optional(g) : std::nullopt;
+}
+
+// PHI with rotations per length and rows normalised.
+MatrixXd scaled(MatrixXd rows, double length) {
+  for (Index c = 0; c < rows.cols(); c += 6) rows.middleCols(c + 3, 3) /= length;
+  rows.rowwise().normalize();
+  return rows;
+}
+
+// Of sorted singular values the one after which only zeros are expected.
+double margin(const MatrixXd& m, Index expected_rank) {
+  const VectorXd sigma = Eigen::BDCSVD<MatrixXd>(m).singularValues();
+  return expected_rank > 0 && expected_rank <= sigma.size() ? sigma(expected_rank - 1) : 0.0;
+}
+
+}  // namespace
+
+Matrix6d dimensionless(const Machine& machine, const Matrix6d& jacobian, double length) {
+  Matrix6d g = jacobian;
+  g.rightCols<3>() /= length;
+  for (int i = 0; i < 6; ++i)
+    if (angular(machine, i)) g.row(i) *= length;
+  return g;
+}
+
+double Conditioning::condition() const { return smallest > 0 ? largest / smallest : std::numeric_limits<double>::infinity(); }
+
+Conditioning conditioning(const Machine& machine, const Matrix6d& jacobian, double length) {
+  const Matrix6d g = dimensionless(machine, jacobian, length);
+  const Eigen::JacobiSVD<Matrix6d> svd(g, Eigen::ComputeFullV);
+  Conditioning c{g.determinant(), svd.singularValues()(5), svd.singularValues()(0), svd.matrixV().col(5)};
+  c.escape.tail<3>() /= length;
+  // A singular vector has no sign of its own: the largest component is positive.
+  Index largest;
+  c.escape.cwiseAbs().maxCoeff(&largest);
+  if (c.escape(largest) < 0) c.escape = -c.escape;
+  return c;
+}
+
+LineRanks line_ranks(const Machine& machine, const Matrix6d& jacobian, double length) {
+  Matrix6d rows = jacobian;
+  LineRanks r;
+  for (int i = 0; i < 6; ++i) {
+    const Screw screw = screw_of_wrench(rows.row(i).transpose(), Eigen::Vector3d::Zero(), length);
+    if (i < machine.dof()) r.pitch.push_back(screw.pitch);
+    rows.row(i).tail<3>() /= length;
+    rows.row(i) /= screw.is_free() ? rows.row(i).tail<3>().norm() : rows.row(i).head<3>().norm();
+  }
+  // By singular values, as the literature has it; a pivot could be small without one.
+  const auto count = [](const MatrixXd& m) {
+    Eigen::JacobiSVD<MatrixXd> svd(m);
+    svd.setThreshold(rank_tolerance);
+    return static_cast<int>(svd.rank());
+  };
+  r.lines = count(rows.topRows(machine.dof()));
+  r.wrenches = count(rows);
+  return r;
+}
+
+LockedFreedoms locked_freedoms(const Machine& machine, const State& state, const Mobility& at_home, double length) {
+  const GenericModel model = generic_model(machine, state);
+  const Index columns = model.constraints.cols(), rows = model.constraints.rows(), drives = model.actuation.rows();
+  const Index at = 6 * static_cast<Index>(machine.topology().platform) - 6;
+  const MatrixXd phi = scaled(model.constraints, length), drive = scaled(model.actuation, length);
+  LockedFreedoms f;
+
+  MatrixXd all(rows + drives, columns);
+  all << phi, drive;
+  f.escapes.origin = state.bodies[static_cast<std::size_t>(machine.topology().platform)].origin;
+  f.escapes.basis = column_space(null_space(all).middleRows(at, 6), 1);
+  f.escapes.basis.bottomRows(3) /= length;
+  f.platform = f.escapes.dimension();
+  f.free = rank(null_space(phi).middleRows(at, 6), 1);
+
+  MatrixXd rest(rows, columns - 6), rest_drive(drives, columns - 6);
+  rest << phi.leftCols(at), phi.rightCols(columns - 6 - at);
+  rest_drive << drive.leftCols(at), drive.rightCols(columns - 6 - at);
+  f.actuators = rank(rest_drive * null_space(rest), 1);
+  f.inverse_margin = margin(rest, columns - 6 - at_home.idle);
+  f.constraint_margin = margin(phi, at_home.rank);
+  return f;
+}
+
+SingularityType type_of(const LockedFreedoms& f, int dof) {
+  if (f.free > dof) return SingularityType::constraint;
+  if (f.platform > 0) return f.actuators > 0 ? SingularityType::both : SingularityType::direct;
+  return f.actuators > 0 ? SingularityType::inverse : SingularityType::regular;
+}
+
+std::optional<Singularity> singularity_at(const Machine& machine, const VectorXd& coordinates, const Mobility& at_home, double length) {
+  Singularity s;
+  s.coordinates = coordinates;
+  s.state = state_at_rest(machine, coordinates);
+  std::vector<double> placement(machine.layout().size());
+  if (s.state.status != PM_OK || machine.place(PM_VALUE, 1, coordinates.data(), placement.data()) != PM_OK) return std::nullopt;
+  const std::optional<Matrix6d> g = jacobian_of(machine, placement.data());
+  if (!g) return std::nullopt;
+  s.jacobian = *g;
+  s.conditioning = conditioning(machine, *g, length);
+  s.ranks = line_ranks(machine, *g, length);
+  s.freedoms = locked_freedoms(machine, s.state, at_home, length);
+  s.type = type_of(s.freedoms, machine.dof());
+  return s;
+}
+
+double dimensionless_determinant(const Machine& machine, const VectorXd& coordinates, double length) {
+  std::vector<double> placement(machine.layout().size());
+  if (machine.place(PM_VALUE, 1, coordinates.data(), placement.data()) != PM_OK) return nan;
+  const std::optional<Matrix6d> g = jacobian_of(machine, placement.data());
+  return g ? dimensionless(machine, *g, length).determinant() : nan;
+}
+
+std::optional<OnSurface> onto_surface(const Machine& machine, const VectorXd& coordinates, double length, double reach) {
+  const auto& declared = machine.topology().coordinates;
+  const auto unit = [&](int i) { return declared[static_cast<std::size_t>(i)].unit == "m" ? length : 1.0; };
+  const auto det = [&](int i, double shift) {
+    VectorXd q = coordinates;
+    q(i) += shift;
+    return dimensionless_determinant(machine, q, length);
+  };
+  // The change over the whole reach on both sides: a root inside shows as a change of sign.
+  std::optional<OnSurface> best;
+  double steepest = 0;
+  for (int i = 0; i < machine.dof(); ++i) {
+    double low = -reach * unit(i), high = -low, at_low = det(i, low);
+    const double at_high = det(i, high), slope = std::abs(at_high - at_low);
+    if (!(at_low * at_high < 0) || !(slope > steepest)) continue;
+    steepest = slope;
+    for (int k = 0; k < 60 && high - low > 1e-17 * unit(i); ++k) {
+      const double middle = 0.5 * (low + high), value = det(i, middle);
+      if (value * at_low > 0)
+        low = middle, at_low = value;
+      else
+        high = middle;
+    }
+    best = OnSurface{coordinates, i, 0.5 * (low + high)};
+    best->coordinates(i) += best->moved;
+  }
+  return best;
+}
+
+}  // namespace pmreport::mechanics

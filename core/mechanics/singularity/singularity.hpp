@@ -1,0 +1,78 @@
+// How far a pose is from a singularity, of which type it is there, and how the platform escapes its actuators.
+//
+// The types of Gosselin and Angeles (1990), told by the generic model: type 1, inverse: with the platform locked an actuator still moves,
+// the platform has lost a freedom; type 2, direct: with the actuators locked the platform still moves; type 3: both. Zlatanov, Bonev and
+// Gosselin (2002), constraint singularity: with all actuators free the platform has more freedoms than degrees of freedom.
+#pragma once
+
+#include <core/mechanics/mobility/mobility.hpp>
+
+#include <optional>
+#include <string>
+
+namespace pmreport::mechanics {
+
+// G made dimensionless by a length L [m]: G^ = D G diag(1, 1, 1, 1/L, 1/L, 1/L), D = L for rows whose magnitude is a couple or belongs to a
+// rotary actuator, else 1. Its singular values compare velocities v with L w, and forces with couples per L.
+Matrix6d dimensionless(const Machine& machine, const Matrix6d& jacobian, double length);
+
+struct Conditioning {
+  double determinant = 0;  // of G^
+  double smallest = 0;     // singular value of G^
+  double largest = 0;
+  Vector6d escape = Vector6d::Zero();  // unit right singular vector of the smallest as a twist (v; w) [m/s, rad/s]: what the actuators
+                                       // feel least
+  double condition() const;
+};
+Conditioning conditioning(const Machine& machine, const Matrix6d& jacobian, double length);
+
+// Ranks of the rows of G, each of unit force (couples: of unit couple per length), moments per length.
+struct LineRanks {
+  int lines = 0;              // of the actuators' rows
+  int wrenches = 0;           // of all six
+  std::vector<double> pitch;  // of each actuator's row [m]; 0: a line, infinite: a couple
+};
+LineRanks line_ranks(const Machine& machine, const Matrix6d& jacobian, double length);
+
+// What the generic model lets move, by rank at `rank_tolerance`.
+struct LockedFreedoms {
+  int platform = 0;              // of the platform, all actuators locked
+  int actuators = 0;             // of the actuators, the platform locked
+  int free = 0;                  // of the platform, all actuators free
+  ScrewSystem escapes;           // twists of the platform with all actuators locked, about its reference point
+  double inverse_margin = 0;     // smallest singular value, beside those of idle freedoms, of PHI without the platform's columns
+  double constraint_margin = 0;  // smallest one of PHI that is not zero at home
+};
+// `at_home`: mobility there.
+LockedFreedoms locked_freedoms(const Machine& machine, const State& state, const Mobility& at_home, double length);
+
+enum class SingularityType { regular, inverse, direct, both, constraint };
+SingularityType type_of(const LockedFreedoms& f, int dof);
+
+// All of it at a pose.
+struct Singularity {
+  Eigen::VectorXd coordinates;
+  State state;
+  Matrix6d jacobian = Matrix6d::Zero();
+  Conditioning conditioning;
+  LineRanks ranks;
+  LockedFreedoms freedoms;
+  SingularityType type = SingularityType::regular;
+};
+// Nothing where the pose cannot be assembled.
+std::optional<Singularity> singularity_at(const Machine& machine, const Eigen::VectorXd& coordinates, const Mobility& at_home,
+                                          double length);
+
+// det G^ at a pose; NaN where it cannot be assembled.
+double dimensionless_determinant(const Machine& machine, const Eigen::VectorXd& coordinates, double length);
+
+// The pose on the singular surface that a pose given by rounded numbers means: the zero of det G along that one coordinate which changes
+// det G most, when it is no farther than `reach` (radians, or lengths). Nothing when there is none, or the pose cannot be assembled.
+struct OnSurface {
+  Eigen::VectorXd coordinates;
+  int coordinate = 0;  // that was moved
+  double moved = 0;    // [m] or [rad]
+};
+std::optional<OnSurface> onto_surface(const Machine& machine, const Eigen::VectorXd& coordinates, double length, double reach = 1e-4);
+
+}  // namespace pmreport::mechanics

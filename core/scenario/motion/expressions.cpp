@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <core/scenario/expression/integral.hpp>
+#include <core/scenario/parts.hpp>
+#include <core/text/text.hpp>
+#include <memory>
+
+namespace pmreport::scenario {
+namespace {
+
+constexpr std::string_view rate_suffix = "_rate";
+
+Curve at_home(const Moved& m) {
+  const double home = m.home;
+  const DisplayUnit unit = display_unit(m.unit, home);
+  return {m.name,
+          {},
+          [home](double) { return Jet<double>(home); },
+          fmt::format("{} = {}{}{} (home)", m.name, format_number(home * unit.per_si, 6), unit.label == "°" ? "" : " ", unit.label)};
+}
+
+// From a rate: the value is its integral from home, the acceleration its exact derivative.
+Curve from_rate(const Moved& m, Written written, const std::vector<double>& times) {
+  const auto rate = std::make_shared<const Expression>(std::move(written.expression));
+  const auto value = std::make_shared<const Integral>([rate](double t) { return rate->at(t).value; }, m.home, times);
+  return {m.name, written.place,
+          [rate, value](double t) {
+            const Jet<double> v = rate->at(t);
+            return Jet<double>(value->at(t), v.value, v.rate);
+          },
+          fmt::format("{}{} = {}", m.name, rate_suffix, printable(written.text))};
+}
+
+const Entry* entry_of(const Value& table, const std::string& key) {
+  const auto found = std::find_if(table.entries.begin(), table.entries.end(), [&](const Entry& e) { return e.key == key; });
+  return found != table.entries.end() ? &*found : nullptr;
+}
+
+const Moved* named(const std::vector<Moved>& list, const std::string& name) {
+  const auto found = std::find_if(list.begin(), list.end(), [&](const Moved& m) { return m.name == name; });
+  return found != list.end() ? &*found : nullptr;
+}
+
+std::string names_of(const std::vector<Moved>& list) {
+  std::vector<std::string> out;
+  for (const Moved& m : list) out.push_back(m.name);
+  return listed(out, "and");
+}
+
+}  // namespace
+
+std::string without_rate(const std::string& name) {
+  return name.ends_with(rate_suffix) ? name.substr(0, name.size() - rate_suffix.size()) : name;
+}
+
+Movables::Movables(const MechanismPart& mechanism) {
+  for (const Coordinate& c : mechanism.topology->coordinates) coordinates.push_back({c.name, c.unit, c.home});
+  for (std::size_t i = 0; i < mechanism.topology->actuators.size(); ++i) {
+    const Actuator& a = mechanism.topology->actuators[i];
+    // Without a machine nothing will be followed; the middle of the stroke is as good as any value then.
+    const double home = mechanism.machine != nullptr
+                            ? mechanism.machine->home_pose().numbers[mechanism.machine->layout().actuator(static_cast<int>(i))]
+                            : 0.5 * (a.stroke.min + a.stroke.max);
+    actuators.push_back({a.name, a.unit, home});
+  }
+}
+
+std::optional<Prescribed> prescribed(const std::vector<Named>& names, const Movables& movables, bool suffix, const Refuse& refuse) {
+  const Named* first[2] = {nullptr, nullptr};  // a coordinate, an actuator
+  for (const Named& n : names) {
+    const std::string base = suffix ? without_rate(n.name) : n.name;
+    const bool coordinate = named(movables.coordinates, base) != nullptr,
+               actuator = !coordinate && named(movables.actuators, base) != nullptr;
+    if (!coordinate && !actuator) continue;
+    if (first[actuator] == nullptr) first[actuator] = &n;
+    if (first[0] == nullptr || first[1] == nullptr) continue;
+    refuse(n.place,
+           fmt::format("{} is {}, and {} before it {}: a motion prescribes coordinates or actuators, and the others follow", n.name,
+                       actuator ? "an actuator" : "a coordinate", first[!actuator]->name, actuator ? "a coordinate" : "an actuator"),
+           fmt::format("keep to the coordinates {}, or to the actuators {}", names_of(movables.coordinates), names_of(movables.actuators)));
+    return std::nullopt;
+  }
+  const bool by_actuators = first[1] != nullptr;
+  return Prescribed{by_actuators, by_actuators ? &movables.actuators : &movables.coordinates};
+}
+
+std::optional<Curves> read_expressions(const Value& motion, const Movables& movables, const std::vector<double>& times,
+                                       const Reader& reader) {
+  Diagnostics& diagnostics = reader.diagnostics();
+  std::vector<Named> names;
+  for (const Entry& e : motion.entries) names.push_back({e.key, e.place});
+  const auto kind = prescribed(names, movables, true, [&](Place place, const std::string& message, const std::string& hint) {
+    diagnostics.add(place, message, hint);
+  });
+  Curves out;
+  bool sound = kind.has_value();
+  for (const std::vector<Moved>* list : {&movables.coordinates, &movables.actuators}) {
+    const bool meant = kind && list == kind->moved;
+    for (const Moved& m : *list) {
+      const Entry *value = entry_of(motion, m.name), *rate = entry_of(motion, m.name + std::string(rate_suffix));
+      if (value != nullptr && rate != nullptr) {
+        diagnostics.add(std::max(value, rate)->place, fmt::format("{} is given twice: by its value and by its rate", m.name),
+                        "keep one of the two");
+        sound = false;
+      }
+      const Dimension dimension = parse_unit(m.unit)->dimension;
+      auto by_value = value != nullptr ? reader.expression(value->value, dimension, Time::allowed) : std::nullopt;
+      auto by_rate = rate != nullptr ? reader.expression(rate->value, dimension / Dimension{0, 0, 1, 0}, Time::allowed) : std::nullopt;
+      sound = sound && (value == nullptr || by_value) && (rate == nullptr || by_rate);
+      if (!meant) continue;
+      if (by_value) {
+        const std::string description = fmt::format("{} = {}", m.name, printable(by_value->text));
+        out.curves.push_back(
+            {m.name, by_value->place, [expression = std::move(by_value->expression)](double t) { return expression.at(t); }, description});
+      } else if (by_rate) {
+        out.curves.push_back(from_rate(m, std::move(*by_rate), times));
+      } else {
+        out.curves.push_back(at_home(m));
+      }
+    }
+  }
+  if (!sound) return std::nullopt;
+  out.by_actuators = kind->by_actuators;
+  return out;
+}
+
+}  // namespace pmreport::scenario

@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <core/scenario/motion/spline.hpp>
+#include <core/scenario/parts.hpp>
+#include <core/scenario/read/csv.hpp>
+#include <core/text/text.hpp>
+#include <memory>
+
+namespace pmreport::scenario {
+namespace {
+
+std::function<Jet<double>(double)> through(const std::vector<double>& times, std::vector<double> values, bool quintic, Ends ends) {
+  if (quintic) return [curve = std::make_shared<const QuinticSteps>(times, std::move(values))](double t) { return curve->at(t); };
+  return [curve = std::make_shared<const CubicSpline>(times, std::move(values), ends)](double t) { return curve->at(t); };
+}
+
+// A file of the scenario's own folder. Whoever sends a scenario around shall not read other files with it: no way up, no absolute path, no
+// link out of the folder, and nothing but regular files, since a device or a pipe may never end.
+std::optional<std::filesystem::path> resolve(const std::string& given, Place place, const std::filesystem::path& scenario,
+                                             Diagnostics& diagnostics) {
+  namespace fs = std::filesystem;
+  const fs::path relative(std::u8string(given.begin(), given.end()));
+  const auto refuse = [&](const std::string& why) {
+    diagnostics.add(place, fmt::format("expected a file in the folder of the scenario, seen {}: {}", in_quotes(given), why));
+    return std::nullopt;
+  };
+  if (given.empty() || given.find('\0') != std::string::npos) return refuse("no name of a file");
+  if (relative.is_absolute()) return refuse("an absolute path");
+  if (std::find(relative.begin(), relative.end(), fs::path("..")) != relative.end()) return refuse("it leads out of the folder");
+  std::error_code error;
+  const fs::path folder = fs::canonical(scenario.has_parent_path() ? scenario.parent_path() : fs::path("."), error);
+  if (error) return refuse("the folder of the scenario cannot be found");
+  const fs::path file = fs::canonical(folder / relative, error);
+  if (error) return refuse("there is no such file");
+  if (std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first != folder.end())
+    return refuse("a link leads out of the folder");
+  if (!fs::is_regular_file(file, error) || error) return refuse("not a regular file");
+  return file;
+}
+
+}  // namespace
+
+std::optional<Curves> read_waypoints(const Entry& waypoints, bool quintic, const Movables& movables, const Reader& reader) {
+  Diagnostics& diagnostics = reader.diagnostics();
+  const auto tables = tables_of(&waypoints, "motion.waypoint", reader);
+  if (tables.empty()) return std::nullopt;
+  std::vector<Named> names;
+  for (const Value* waypoint : tables)
+    for (const Entry& e : waypoint->entries) names.push_back({e.key, e.place});
+  const auto kind = prescribed(names, movables, false, [&](Place place, const std::string& message, const std::string& hint) {
+    diagnostics.add(place, message, hint);
+  });
+  if (!kind) return std::nullopt;
+  const std::vector<Moved>& moved = *kind->moved;
+  const std::size_t dof = moved.size();
+  Curves out{kind->by_actuators, {}, {}};
+  std::vector<std::vector<double>> values(dof);
+  bool sound = true;
+  for (const Value* waypoint : tables) {
+    TableReader table(*waypoint, "[[motion.waypoint]]", waypoint->place, reader);
+    const Entry* time_entry = table.need("time", "time = \"2 s\"");
+    const auto time = time_entry != nullptr ? reader.quantity(time_entry->value, {0, 0, 1, 0}) : std::nullopt;
+    sound = sound && time.has_value();
+    if (time && out.times.empty() && *time != 0) {
+      diagnostics.add(time_entry->value.place, fmt::format("expected the first waypoint at 0 s, seen {} s", format_number(*time, 6)));
+      sound = false;
+    } else if (time && !out.times.empty() && !(*time > out.times.back())) {
+      diagnostics.add(time_entry->value.place, fmt::format("expected a time after the waypoint before, {} s, seen {} s",
+                                                           format_number(out.times.back(), 6), format_number(*time, 6)));
+      sound = false;
+    }
+    if (time) out.times.push_back(*time);
+    for (std::size_t j = 0; j < dof; ++j) {  // one left out keeps its last value, at first that of home
+      const Entry* e = table.find(moved[j].name);
+      const double before = values[j].empty() ? moved[j].home : values[j].back();
+      const auto value = e != nullptr ? reader.quantity(e->value, parse_unit(moved[j].unit)->dimension) : std::optional(before);
+      sound = sound && value.has_value();
+      values[j].push_back(value.value_or(before));
+    }
+    table.finish();
+  }
+  if (tables.size() < 2) {
+    diagnostics.add(waypoints.place, "expected at least two waypoints, seen one");
+    return std::nullopt;
+  }
+  if (!sound) return std::nullopt;
+  for (std::size_t j = 0; j < dof; ++j) {
+    const std::string& name = moved[j].name;
+    const bool moves = std::any_of(values[j].begin(), values[j].end(), [&](double v) { return v != values[j].front(); });
+    const std::string description = !moves ? fmt::format("{}: constant", name)
+                                    : quintic
+                                        ? fmt::format("{}: quintic profile through {} waypoints, at rest in each", name, tables.size())
+                                        : fmt::format("{}: cubic spline through {} waypoints, at rest at both ends", name, tables.size());
+    out.curves.push_back({name, waypoints.place, through(out.times, values[j], quintic, Ends::at_rest), description});
+  }
+  return out;
+}
+
+std::optional<Curves> read_motion_file(const Entry& entry, bool quintic, const Movables& movables, const std::filesystem::path& scenario,
+                                       const Reader& reader) {
+  Diagnostics& diagnostics = reader.diagnostics();
+  const auto given = reader.text(entry.value);
+  const auto path = given ? resolve(*given, entry.value.place, scenario, diagnostics) : std::nullopt;
+  if (!path) return std::nullopt;
+  const std::string shown = printable(scenario.has_parent_path() ? (scenario.parent_path() / *given).string() : *given);
+  auto table = read_number_table(*path, shown, max_samples, diagnostics);
+  if (!table) return std::nullopt;
+
+  bool sound = true;
+  const auto refuse = [&](Place place, const std::string& message, const std::string& hint = {}) {
+    diagnostics.add(Diagnostic{shown, place.line, place.column, message, {}, hint});
+    sound = false;
+  };
+  std::vector<Named> names;
+  std::vector<std::string> all{"t"};
+  for (const NumberColumn& column : table->columns) names.push_back({column.name, column.place});
+  for (const std::vector<Moved>* list : {&movables.coordinates, &movables.actuators})
+    for (const Moved& m : *list) all.push_back(m.name);
+  const auto kind = prescribed(names, movables, false, refuse);
+  if (!kind) return std::nullopt;
+  const std::vector<Moved>& moved = *kind->moved;
+  NumberColumn* time = nullptr;
+  std::vector<NumberColumn*> columns(moved.size(), nullptr);
+  for (NumberColumn& column : table->columns) {
+    const bool is_time = column.name == "t";
+    const auto found = std::find_if(moved.begin(), moved.end(), [&](const Moved& m) { return m.name == column.name; });
+    if (!is_time && found == moved.end()) {
+      refuse(column.place, fmt::format("unknown column {}{}", in_quotes(column.name), did_you_mean(column.name, all)),
+             fmt::format("the columns are {}", listed(all, "and")));
+      continue;
+    }
+    NumberColumn*& slot = is_time ? time : columns[static_cast<std::size_t>(found - moved.begin())];
+    const Dimension expected = is_time ? Dimension{0, 0, 1, 0} : parse_unit(found->unit)->dimension;
+    if (slot != nullptr) refuse(column.place, fmt::format("column {} stands here twice", column.name));
+    if (column.unit.dimension != expected)
+      refuse(column.place, fmt::format("expected {} in column {}, seen the unit {} of {}", name_of(expected), column.name,
+                                       in_quotes(column.unit.symbol), name_of(column.unit.dimension)));
+    slot = &column;
+  }
+  if (time == nullptr) {
+    refuse({}, "expected a column of times, \"t [s]\"");
+    return std::nullopt;
+  }
+  for (std::size_t i = 1; i < time->values.size() && sound; ++i)
+    if (!(time->values[i] > time->values[i - 1]))
+      refuse({table->lines[i], 1}, fmt::format("expected a time after the row before, {} s, seen {} s",
+                                               format_number(time->values[i - 1], 9), format_number(time->values[i], 9)));
+  if (!sound) return std::nullopt;
+  Curves out{kind->by_actuators, time->values, {}};
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    const Moved& c = moved[j];
+    if (columns[j] == nullptr) {
+      out.curves.push_back(
+          {c.name, entry.value.place, [home = c.home](double) { return Jet<double>(home); }, fmt::format("{}: home", c.name)});
+      continue;
+    }
+    const std::string description =
+        fmt::format("{}: {} through {} rows of {}", c.name, quintic ? "quintics, at rest in each," : "cubic spline", out.times.size(),
+                    printable(*given));
+    out.curves.push_back(
+        {c.name, entry.value.place, through(out.times, std::move(columns[j]->values), quintic, Ends::not_a_knot), description});
+  }
+  return out;
+}
+
+}  // namespace pmreport::scenario

@@ -1,0 +1,276 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <core/scenario/parts.hpp>
+#include <core/text/text.hpp>
+
+namespace pmreport::scenario {
+namespace {
+
+// The order of what a sample costs, to tell what a number of samples means. Bytes: a placement of five limbs is 154 scalars, each with
+// rate and acceleration. Time: placing, and solving the equations of eleven bodies.
+constexpr double bytes_per_sample = 154 * 3 * sizeof(double), seconds_per_sample = 50e-6;
+
+std::string estimate(double samples) {
+  const double gigabytes = samples * bytes_per_sample / 1e9, hours = samples * seconds_per_sample / 3600;
+  return fmt::format("{} samples would take about {} GB of memory and {} h", format_number(samples, 3), format_number(gigabytes, 2),
+                     format_number(hours, 2));
+}
+
+// 0, told, when it is no number of samples.
+std::size_t read_samples(const Value& v, const Reader& reader) {
+  if (v.kind != Value::Kind::integer) {
+    if (v.kind != Value::Kind::refused) reader.diagnostics().add(v.place, "expected a whole number of samples, seen " + name_of(v));
+    return 0;
+  }
+  const bool many = v.number > static_cast<double>(max_samples);
+  if (v.number >= 2 && !many) return static_cast<std::size_t>(v.number);
+  reader.diagnostics().add(
+      v.place, fmt::format("expected 2 to {} samples, seen {}{}", max_samples, v.number, many ? "; " + estimate(v.number) : ""));
+  return 0;
+}
+
+void refuse_expressions(const Value& table, const Movables& movables, const char* instead, Diagnostics& diagnostics) {
+  for (const Entry& e : table.entries)
+    for (const std::vector<Moved>* list : {&movables.coordinates, &movables.actuators})
+      for (const Moved& m : *list)
+        if (without_rate(e.key) == m.name)
+          diagnostics.add(e.place, fmt::format("{} is given twice: here and by the {}", m.name, instead), "keep one of the two");
+}
+
+std::vector<double> uniform(const Interval& interval, std::size_t samples) {
+  std::vector<double> time(samples);
+  const double span = interval.end - interval.begin;
+  for (std::size_t i = 0; i < samples; ++i) time[i] = interval.begin + span * static_cast<double>(i) / static_cast<double>(samples - 1);
+  time.back() = interval.end;
+  return time;
+}
+
+// Nothing, told, where a curve has no finite value, rate or acceleration.
+std::optional<Motion> sampled(const std::vector<Curve>& curves, std::vector<double> time, Diagnostics& diagnostics) {
+  Motion out;
+  bool sound = true;
+  const auto rows = static_cast<Eigen::Index>(time.size()), columns = static_cast<Eigen::Index>(curves.size());
+  for (Eigen::MatrixXd* m : {&out.value, &out.rate, &out.acceleration}) m->resize(rows, columns);
+  for (Eigen::Index j = 0; j < columns; ++j) {
+    const Curve& curve = curves[static_cast<std::size_t>(j)];
+    out.description += (j > 0 ? "\n" : "") + curve.description;
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const double t = time[static_cast<std::size_t>(i)];
+      const Jet<double> x = curve.at(t);
+      if (!finite(x, t, curve.place, curve.name, diagnostics)) {
+        sound = false;
+        break;
+      }
+      out.value(i, j) = x.value, out.rate(i, j) = x.rate, out.acceleration(i, j) = x.acceleration;
+    }
+  }
+  if (!sound) return std::nullopt;
+  out.asked = time.back();
+  out.time = std::move(time);
+  out.at = [curves](double t, double* value, double* rate, double* acceleration) {
+    for (const Curve& curve : curves) {
+      const Jet<double> x = curve.at(t);
+      *value++ = x.value, *rate++ = x.rate, *acceleration++ = x.acceleration;
+    }
+    return true;
+  };
+  return out;
+}
+
+std::string names_of(const std::vector<Moved>& list) {
+  std::vector<std::string> names;
+  for (const Moved& m : list) names.push_back(m.name);
+  return listed(names, "and");
+}
+
+constexpr const char *of_forces[] = {"start", "start_rate", "forces"}, *of_points[] = {"profile", "waypoint", "file"};
+
+// Keys that are none of a motion that follows from forces; coordinates and actuators are told by read_forces.
+void refuse_unknown_of_forces(const Value& content, const Movables& movables, Diagnostics& diagnostics) {
+  std::vector<std::string> known{"from", "duration", "samples", "until"};
+  known.insert(known.end(), std::begin(of_forces), std::end(of_forces));
+  const std::string keys = fmt::format("the keys are {}", listed(known, "and"));
+  for (const std::vector<Moved>* list : {&movables.coordinates, &movables.actuators})
+    for (const Moved& m : *list) known.push_back(m.name);
+  for (const Entry& e : content.entries)
+    if (std::find(std::begin(of_points), std::end(of_points), e.key) != std::end(of_points))
+      diagnostics.add(e.place, fmt::format("{} is of a prescribed motion, and this one follows from forces", e.key),
+                      "remove it, or from = \"forces\"");
+    else if (std::find(known.begin(), known.end(), without_rate(e.key)) == known.end() &&
+             std::find(known.begin(), known.end(), e.key) == known.end())
+      diagnostics.add(e.place, fmt::format("unknown key {} in [motion]{}", in_quotes(e.key), did_you_mean(e.key, known)), keys);
+}
+
+// Keys that are none: coordinates that cannot be given are told apart from slips.
+void refuse_unknown(const Value& content, const MechanismPart& mechanism, const Movables& movables, Diagnostics& diagnostics) {
+  std::vector<std::string> known{"duration", "samples", "until", "profile", "waypoint", "file", "from"};
+  const std::string keys =
+      fmt::format("the keys are {}; and the coordinates {}, or the actuators {}, each also by its rate, {}_rate", listed(known, "and"),
+                  names_of(movables.coordinates), names_of(movables.actuators), movables.coordinates.front().name);
+  for (const char* suffix : {"", "_rate"})
+    for (const std::vector<Moved>* list : {&movables.coordinates, &movables.actuators})
+      for (const Moved& m : *list) known.push_back(m.name + suffix);
+  for (const Entry& e : content.entries)
+    if (std::find(std::begin(of_forces), std::end(of_forces), e.key) != std::end(of_forces))
+      diagnostics.add(e.place, fmt::format("{} is of a motion that follows from forces, and this one is prescribed", e.key),
+                      "add from = \"forces\", or remove it");
+    else if (std::find(known.begin(), known.end(), e.key) == known.end())
+      refuse_coordinate(e.place, e.key, mechanism, known, "[motion]", diagnostics, keys);
+}
+
+// The first curve that the user wrote.
+Place place_of(const Curves& curves, Place otherwise) {
+  for (const Curve& c : curves.curves)
+    if (c.place.line > 0) return c.place;
+  return otherwise;
+}
+
+std::optional<double> read_duration(const Entry* entry, const Reader& reader) {
+  if (entry == nullptr) return std::nullopt;
+  const auto duration = reader.quantity(entry->value, {0, 0, 1, 0});
+  if (!duration || *duration > 0) return duration;
+  reader.diagnostics().add(entry->value.place, fmt::format("expected a duration above 0 s, seen {} s", format_number(*duration, 6)));
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool finite(const Jet<double>& x, double t, Place place, const std::string& what, Diagnostics& diagnostics) {
+  const char* missing = !std::isfinite(x.value)          ? "value"
+                        : !std::isfinite(x.rate)         ? "rate"
+                        : !std::isfinite(x.acceleration) ? "acceleration"
+                                                         : nullptr;
+  if (missing == nullptr) return true;
+  diagnostics.add(place, fmt::format("{} has no finite {} at t = {} s", what, missing, format_number(t, 6)));
+  return false;
+}
+
+void refuse_coordinate(Place place, const std::string& name, const MechanismPart& mechanism, const std::vector<std::string>& known,
+                       const std::string& where, Diagnostics& diagnostics, const std::string& keys) {
+  const std::string base = without_rate(name);
+  for (const Derived& d : mechanism.topology->derived) {
+    if (!d.dependent || d.name != base) continue;
+    std::string hint = "leave it out";
+    for (const auto& p : mechanism.info.parameters)
+      if (p.kind == PM_CHOICE && std::find(p.choices.begin(), p.choices.end(), base) != p.choices.end()) {
+        std::vector<std::string> others = p.choices;
+        std::erase(others, base);
+        hint += fmt::format(", or let another coordinate follow: {} = {} in [mechanism.parameters]", p.name, listed(others, "or", true));
+      }
+    diagnostics.add(place,
+                    fmt::format("{} is a dependent coordinate of {}: it follows from the others and cannot be given", base, mechanism.name),
+                    hint);
+    return;
+  }
+  diagnostics.add(place, fmt::format("unknown key {} in {}{}", in_quotes(name), where, did_you_mean(name, known)),
+                  keys.empty() ? fmt::format("the keys are {}", listed(known, "and")) : keys);
+}
+
+namespace {
+
+MotionPart read_motion_from_forces(const Value& content, Place place, const MechanismPart& mechanism, const Load& load,
+                                   const Reader& reader) {
+  Diagnostics& diagnostics = reader.diagnostics();
+  TableReader table(content, "[motion]", place, reader);
+  MotionPart part;
+  const Entry *samples_entry = table.need("samples", "samples = 501"), *duration_entry = table.need("duration", "duration = \"2 s\"");
+  const std::size_t samples = samples_entry != nullptr ? read_samples(samples_entry->value, reader) : 0;
+  const auto duration = read_duration(duration_entry, reader);
+  if (duration) part.interval = {0, *duration};
+  if (!mechanism.topology) return part;
+  const Movables movables(mechanism);
+  refuse_unknown_of_forces(content, movables, diagnostics);
+  const auto forces = read_forces(content, place, mechanism, movables, reader);
+  // An integration takes its time, and a load that is wrong would lead it elsewhere: it begins when all is sound that it stands on.
+  if (!forces || !duration || samples == 0 || mechanism.machine == nullptr || !diagnostics.empty()) return part;
+  auto motion = forced(*forces, load, uniform(*part.interval, samples), *mechanism.machine, diagnostics);
+  if (!motion) return part;
+  part.motion = std::move(*motion);
+  part.interval->end = part.motion.time.back();
+  return part;
+}
+
+}  // namespace
+
+MotionPart read_motion(const Entry* entry, const MechanismPart& mechanism, const Load& load, const std::filesystem::path& scenario,
+                       const Reader& reader) {
+  Diagnostics& diagnostics = reader.diagnostics();
+  MotionPart part;
+  if (entry == nullptr) {
+    diagnostics.add(Place{}, "expected the table [motion], which is not there", "write [motion], duration = \"10 s\" and samples = 501");
+    return part;
+  }
+  const Value* content = table_of(entry, "motion", reader);
+  if (content == nullptr) return part;
+  TableReader table(*content, "[motion]", entry->place, reader);
+  if (const Entry* from = table.find("from")) {
+    reader.word(from->value, {"forces"}, "what a motion may follow from");
+    return read_motion_from_forces(*content, entry->place, mechanism, load, reader);
+  }
+  const Entry *file = table.find("file"), *waypoints = table.find("waypoint"), *profile = table.find("profile"),
+              *duration_entry = table.find("duration"), *until = table.find("until");
+  const Entry* samples_entry = file != nullptr ? table.find("samples") : table.need("samples", "samples = 501");
+  const std::size_t samples = samples_entry != nullptr ? read_samples(samples_entry->value, reader) : 0;
+  const auto duration = read_duration(duration_entry, reader);
+  const bool by_points = file != nullptr || waypoints != nullptr;
+
+  bool quintic = false;
+  if (profile != nullptr) {
+    const auto choice = reader.word(profile->value, {"quintic", "cubic-spline"}, "the profiles");
+    quintic = choice == std::size_t{0};
+    if (choice && !by_points)
+      diagnostics.add(profile->place, "a profile leads through points, and there are none",
+                      "add [[motion.waypoint]] tables, or file = \"NAME.csv\"");
+  } else if (waypoints != nullptr && file == nullptr) {
+    table.need("profile", "profile = \"quintic\" (at rest at every waypoint) or \"cubic-spline\" (at rest at the ends)");
+  }
+  if (file != nullptr && waypoints != nullptr)
+    diagnostics.add(file->place, "the motion is given twice: by a file and by waypoints", "keep one of the two");
+  if (file != nullptr && duration_entry != nullptr)
+    diagnostics.add(duration_entry->place, "the times in the file say how long the motion lasts", "remove duration");
+  if (!by_points) table.need("duration", "duration = \"10 s\"");
+  if (until != nullptr) reader.word(until->value, {"singularity"}, "what a motion may last until");
+
+  if (!mechanism.topology) {
+    if (!by_points && duration) part.interval = {0, *duration};
+    return part;
+  }
+  const Movables movables(mechanism);
+  refuse_unknown(*content, mechanism, movables, diagnostics);
+  std::optional<Curves> curves;
+  std::vector<double> time;
+  if (by_points) {
+    refuse_expressions(*content, movables, file != nullptr ? "file" : "waypoints", diagnostics);
+    curves = file != nullptr ? read_motion_file(*file, quintic, movables, scenario, reader)
+                             : read_waypoints(*waypoints, quintic, movables, reader);
+    if (!curves) return part;
+    part.interval = {curves->times.front(), curves->times.back()};
+    if (duration && file == nullptr && *duration > part.interval->end)
+      diagnostics.add(duration_entry->value.place, fmt::format("expected at most the time of the last waypoint, {} s, seen {} s",
+                                                               format_number(part.interval->end, 6), format_number(*duration, 6)));
+    else if (duration && file == nullptr)
+      part.interval->end = *duration;
+    if (samples_entry == nullptr && file != nullptr) time = curves->times;
+    if (samples > 0) time = uniform(*part.interval, samples);
+  } else {
+    if (duration) part.interval = {0, *duration};
+    if (duration && samples > 0) time = uniform(*part.interval, samples);
+    curves = read_expressions(*content, movables, time.empty() ? std::vector{0.0} : time, reader);
+  }
+  if (!curves || time.empty()) return part;
+  auto motion = sampled(curves->curves, std::move(time), diagnostics);
+  if (!motion || mechanism.machine == nullptr) return part;
+  if (curves->by_actuators) {
+    motion = followed(std::move(*motion), *mechanism.machine, until != nullptr, place_of(*curves, entry->place), diagnostics);
+    if (!motion) return part;
+  } else if (until != nullptr && !end_at_singularity(*motion, *mechanism.machine, until->place, diagnostics)) {
+    return part;
+  }
+  part.motion = std::move(*motion);
+  part.interval->end = part.motion.time.back();
+  return part;
+}
+
+}  // namespace pmreport::scenario

@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <core/text/text.hpp>
+
+namespace pmreport {
+namespace {
+
+constexpr std::size_t longest_word = 60;
+
+bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+// Damerau-Levenshtein distance, restricted: neighbours that are swapped are not edited again.
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] == b[j - 1] ? 0u : 1u)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    before.swap(last);
+    last.swap(row);
+  }
+  return last[b.size()];
+}
+
+}  // namespace
+
+std::optional<std::string> nearest(std::string_view word, const std::vector<std::string>& candidates) {
+  if (word.size() > longest_word) return std::nullopt;
+  const std::string* best = nullptr;
+  std::size_t least = 3;
+  for (const std::string& candidate : candidates) {
+    if (candidate.size() > longest_word) continue;
+    const std::size_t d = distance(word, candidate);
+    // "x" is two edits away from "mm", yet nobody who wrote the one meant the other.
+    if (d < least && d < std::max(word.size(), candidate.size())) {
+      best = &candidate;
+      least = d;
+    }
+  }
+  return best != nullptr ? std::optional(*best) : std::nullopt;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
+  const auto best = nearest(word, candidates);
+  return best ? "; did you mean " + in_quotes(*best) + "?" : std::string();
+}
+
+std::string listed(const std::vector<std::string>& words, const char* last, bool quotes) {
+  std::string out;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == words.size() ? std::string(" ") + last + " " : ", ") + (quotes ? in_quotes(words[i]) : words[i]);
+  return out;
+}
+
+std::string in_quotes(std::string_view text) {
+  std::size_t end = std::min(text.size(), longest_word);
+  while (end < text.size() && end > 0 && continues(text[end])) --end;
+  return "\"" + printable(text.substr(0, end)) + (end < text.size() ? "…\"" : "\"");
+}
+
+std::string printable(std::string_view text) {
+  std::string out(text);
+  for (char& c : out)
+    if (const auto u = static_cast<unsigned char>(c); (u < 0x20 && c != '\t') || u == 0x7F) c = '?';
+  return out;
+}
+
+std::size_t characters(std::string_view utf8) {
+  return static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), [](char c) { return !continues(c); }));
+}
+
+std::string_view trim(std::string_view text) {
+  constexpr const char* blank = " \t\r";
+  const auto first = text.find_first_not_of(blank);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blank) - first + 1);
+}
+
+}  // namespace pmreport

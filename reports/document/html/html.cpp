@@ -1,0 +1,224 @@
+// The frame of report.html: head, title, contents, verdict, checks, sections, scenario, provenance.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <reports/document/html/html_page.hpp>
+#include <reports/document/quantity.hpp>
+#include <reports/document/tally.hpp>
+
+namespace pmreport::document {
+
+namespace {
+
+std::string plural(int count, const char* one, const char* many) { return std::to_string(count) + " " + (count == 1 ? one : many); }
+
+// "All 3 checks passed", "1 of 3 checks failed"
+std::string told(const Tally& tally, const char* one, const char* many, const char* none) {
+  if (tally.total == 0) return none;
+  if (tally.failed > 0) return std::to_string(tally.failed) + " of " + plural(tally.total, one, many) + " failed";
+  return (tally.total == 1 ? "The one " + std::string(one) : "All " + plural(tally.total, one, many)) + " passed";
+}
+
+void write_contents(Page& page) {
+  HtmlWriter& html = page.html;
+  const Report& r = page.report;
+  const auto item = [&](const std::string& anchor, const std::string& title, const Tally& tally) {
+    html.element("li", [&] {
+      html.element("a", {{"href", "#" + anchor}}, title);
+      if (tally.failed > 0)
+        html.element("span", {{"class", "failed"}, {"title", told(tally, "line of evidence", "lines of evidence", "")}}, " ✗");
+    });
+  };
+  html.element("nav", {{"id", "contents"}, {"aria-label", "Contents"}}, [&] {
+    html.element("p", {{"class", "label"}}, "Contents");
+    html.element("ol", [&] {
+      item("summary", "Summary", {});
+      if (!r.checks.empty()) item("checks", "Checks", tally_checks(r));
+      for (std::size_t s = 0; s < r.sections.size(); ++s) item(page.names.sections[s], r.sections[s].title, tally_evidence(r.sections[s]));
+      item("scenario", "Scenario", {});
+      item("provenance", "Provenance", {});
+    });
+  });
+}
+
+void write_header(Page& page) {
+  HtmlWriter& html = page.html;
+  const Report& r = page.report;
+  html.element("header", [&] {
+    html.element("h1", r.title);
+    if (!r.mechanism_title.empty()) html.element("p", {{"class", "mechanism"}}, r.mechanism_title);
+    if (!r.author.empty()) html.element("p", {{"class", "author"}}, r.author);
+    if (!r.description.empty()) html.element("p", {{"class", "description"}}, r.description);
+    if (!r.source.empty()) html.element("p", {{"class", "source"}}, "Source of the mechanism: " + r.source);
+    html.element("p", {{"class", "files"}}, [&] {
+      html.text("Also as ");
+      html.element("a", {{"href", "report.pdf"}}, "PDF");
+      html.text(" · ");
+      html.element("a", {{"href", "results.json"}}, "results (JSON)");
+      html.text(" · ");
+      html.element("a", {{"href", "junit.xml"}}, "JUnit");
+    });
+  });
+}
+
+void write_failures(Page& page) {
+  HtmlWriter& html = page.html;
+  const Report& r = page.report;
+  html.element("ul", {{"class", "failures"}}, [&] {
+    for (const Check& check : r.checks) {
+      if (check.passed) continue;
+      html.element("li", [&] {
+        html.element("a", {{"href", "#checks"}}, check.name);
+        html.text(": " + (check.message.empty() ? "measured " + check.measured : check.message));
+      });
+    }
+    for (std::size_t s = 0; s < r.sections.size(); ++s) {
+      for (const Block& block : r.sections[s].blocks) {
+        const auto* proof = std::get_if<Proof>(&block);
+        if (!proof) continue;
+        for (const Evidence& line : proof->lines) {
+          if (line.passed()) continue;
+          html.element("li", [&] {
+            html.element("a", {{"href", "#" + page.names.sections[s]}}, r.sections[s].title);
+            html.text(": " + line.claim + ": " + rounded(line.value, line.unit) + ", tolerance " + rounded(line.tolerance, line.unit));
+          });
+        }
+      }
+    }
+  });
+}
+
+void write_summary(Page& page) {
+  HtmlWriter& html = page.html;
+  const Report& r = page.report;
+  html.element("section", {{"id", "summary"}, {"aria-label", "Summary"}}, [&] {
+    html.element("div", {{"class", r.passed() ? "verdict passed" : "verdict failed"}}, [&] {
+      html.element("h2", r.passed() ? "✓ Passed" : "✗ Failed");
+      const std::string checks = told(tally_checks(r), "check", "checks", "No check was asked for");
+      const std::string evidence = told(tally_evidence(r), "line of evidence", "lines of evidence", "No evidence was given");
+      html.element("p", checks + ". " + evidence + ".");
+      if (!r.passed()) write_failures(page);
+    });
+    std::vector<Paragraph> paragraphs = r.summary;
+    std::ranges::stable_partition(paragraphs, [](const Paragraph& p) { return p.tone == Paragraph::Tone::warning; });
+    for (const Paragraph& paragraph : paragraphs) write_paragraph(page, paragraph);
+  });
+}
+
+void write_checks(Page& page) {
+  HtmlWriter& html = page.html;
+  if (page.report.checks.empty()) return;
+  html.element("section", {{"id", "checks"}}, [&] {
+    html.element("h2", "Checks");
+    write_scroll_box(page, "Checks", [&] {
+      html.element("table", {{"class", "proof"}}, [&] {
+        html.element("caption", "What the scenario demands of the results");
+        html.element("thead", [&] {
+          html.element("tr", [&] {
+            html.element("th", {{"scope", "col"}}, "Result");
+            html.element("th", {{"scope", "col"}}, "Check");
+            html.element("th", {{"scope", "col"}, {"class", "number"}}, "Measured");
+            html.element("th", {{"scope", "col"}, {"class", "number"}}, "Limit");
+          });
+        });
+        html.element("tbody", [&] {
+          for (const Check& check : page.report.checks) {
+            html.element("tr", [&] {
+              html.element("td", [&] { write_result(page, check.passed); });
+              html.element("th", {{"scope", "row"}}, [&] {
+                html.element("div", check.name);
+                if (check.message.empty() && check.line <= 0) return;
+                html.element("div", {{"class", "how"}}, [&] {
+                  html.text(check.message);
+                  if (check.line <= 0) return;
+                  if (!check.message.empty()) html.text(" ");
+                  html.element("a", {{"href", "#line-" + std::to_string(check.line)}}, "line " + std::to_string(check.line));
+                });
+              });
+              html.element("td", {{"class", "number"}}, check.measured);
+              html.element("td", {{"class", "number"}}, check.limit);
+            });
+          }
+        });
+      });
+    });
+  });
+}
+
+// Every line of the scenario is an anchor, so that a check can point at the line that asked for it.
+void write_scenario(Page& page) {
+  HtmlWriter& html = page.html;
+  const std::string text = page.report.scenario_text;
+  html.element("section", {{"id", "scenario"}}, [&] {
+    html.element("h2", "Scenario");
+    html.element("details", [&] {
+      html.element("summary", "The script that this report answers: " + page.report.provenance.scenario_name);
+      html.element("pre", [&] {
+        int number = 0;
+        for (std::size_t at = 0; at < text.size();) {
+          const std::size_t end = std::min(text.find('\n', at), text.size());
+          html.element("span", {{"id", "line-" + std::to_string(++number)}, {"class", "line"}}, text.substr(at, end - at));
+          html.markup("\n");
+          at = end + 1;
+        }
+      });
+    });
+  });
+}
+
+void write_provenance(Page& page) {
+  HtmlWriter& html = page.html;
+  const Provenance& from = page.report.provenance;
+  const auto item = [&](const char* term, const std::string& value) {
+    if (value.empty()) return;
+    html.element("dt", term);
+    html.element("dd", value);
+  };
+  html.element("section", {{"id", "provenance"}}, [&] {
+    html.element("h2", "Provenance");
+    html.element("dl", [&] {
+      item("Program", from.program + " " + from.version);
+      item("Mechanism", from.mechanism);
+      item("Plugin build", from.plugin_build);
+      item("Scenario", from.scenario_name);
+      item("SHA-256 of the scenario", from.scenario_sha256);
+    });
+  });
+}
+
+}  // namespace
+
+std::string to_html(const Report& r, const Names& names, const std::vector<std::string>& drawings) {
+  Page page{r, names, drawings};
+  HtmlWriter& html = page.html;
+  html.markup("<!DOCTYPE html>\n");
+  html.element("html", {{"lang", "en"}}, [&] {
+    html.element("head", [&] {
+      html.open("meta", {{"charset", "utf-8"}});
+      html.open("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
+      html.open("meta", {{"name", "generator"}, {"content", r.provenance.program + " " + r.provenance.version}});
+      html.element("title", r.title);
+      html.element("style", [&] { html.markup(html_style); });
+    });
+    html.element("body", [&] {
+      write_contents(page);
+      html.element("main", [&] {
+        write_header(page);
+        write_summary(page);
+        write_checks(page);
+        for (std::size_t s = 0; s < r.sections.size(); ++s) {
+          const Section& section = r.sections[s];
+          html.element("section", {{"id", names.sections[s]}}, [&] {
+            html.element("h2", section.title);
+            for (const Block& block : section.blocks) write_block(page, section, block);
+          });
+        }
+        write_scenario(page);
+        write_provenance(page);
+      });
+    });
+  });
+  return html.take();
+}
+
+}  // namespace pmreport::document

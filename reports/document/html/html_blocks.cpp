@@ -1,0 +1,160 @@
+// Paragraphs, tables, figures, galleries and proofs of report.html.
+#include <fmt/format.h>
+
+#include <reports/document/html/html_page.hpp>
+#include <reports/document/quantity.hpp>
+
+namespace pmreport::document {
+
+namespace {
+
+void write_table(Page& page, const Table& table) {
+  HtmlWriter& html = page.html;
+  const auto side = [&](std::size_t column) { return column < table.numeric.size() && table.numeric[column] ? "number" : "words"; };
+  write_scroll_box(page, table.caption, [&] {
+    html.element("table", [&] {
+      if (!table.caption.empty()) html.element("caption", table.caption);
+      html.element("thead", [&] {
+        html.element("tr", [&] {
+          for (std::size_t c = 0; c < table.headings.size(); ++c) {
+            html.element("th", {{"scope", "col"}, {"class", side(c)}}, table.headings[c]);
+          }
+        });
+      });
+      html.element("tbody", [&] {
+        for (const auto& row : table.rows) {
+          html.element("tr", [&] {
+            for (std::size_t c = 0; c < row.size(); ++c) {
+              if (c == 0) {
+                html.element("th", {{"scope", "row"}, {"class", side(c)}}, row[c]);
+              } else {
+                // A list of numbers may break after its commas, so that it does not push the columns after it off a narrow screen.
+                const bool list = side(c) == std::string_view("number") && row[c].find(", ") != std::string::npos;
+                html.element("td", {{"class", list ? "number list" : side(c)}}, row[c]);
+              }
+            }
+          });
+        }
+      });
+    });
+  });
+}
+
+void write_figure(Page& page, const figure::Figure& figure) {
+  HtmlWriter& html = page.html;
+  const std::string& name = page.names.figures[page.figure];
+  const std::string data = data_file(page.report, page.names, figure);
+  const bool wide = figure.width == figure::Width::full;
+  html.element("figure", {{"id", "figure-" + name}, {"class", wide ? "plot full" : "plot column"}}, [&] {
+    write_scroll_box(page, figure.caption, [&] {
+      html.element("div", {{"role", "img"}, {"aria-label", figure.caption}}, [&] { html.markup(inline_svg(page.drawings[page.figure])); });
+    });
+    html.element("figcaption", [&] {
+      html.element("strong", "Figure " + std::to_string(page.figure + 1) + ".");
+      html.text(" " + figure.caption + " ");
+      html.element("span", {{"class", "files"}}, [&] {
+        html.element("a", {{"href", "figures/" + name + ".pdf"}}, "PDF");
+        html.text(" · ");
+        html.element("a", {{"href", "figures/" + name + ".svg"}}, "SVG");
+        if (data.empty()) return;
+        html.text(" · ");
+        html.element("a", {{"href", data}}, "data (CSV)");
+      });
+    });
+  });
+  ++page.figure;
+}
+
+void write_picture(Page& page, const Picture& picture) {
+  HtmlWriter& html = page.html;
+  const std::string file = "snapshots/" + page.names.pictures[page.picture] + ".png";
+  html.element("figure", [&] {
+    html.open("img", {{"src", "data:image/png;base64," + base64(picture.png)},
+                      {"alt", picture.caption},
+                      {"width", std::to_string(picture.width)},
+                      {"height", std::to_string(picture.height)}});
+    html.element("figcaption", [&] {
+      html.text(picture.caption + " ");
+      html.element("span", {{"class", "files"}}, [&] { html.element("a", {{"href", file}}, "PNG"); });
+    });
+  });
+  ++page.picture;
+}
+
+void write_gallery(Page& page, const Gallery& gallery) {
+  HtmlWriter& html = page.html;
+  html.element("figure", {{"class", gallery.pictures.size() == 1 ? "gallery single" : "gallery"}}, [&] {
+    html.element("div", {{"class", "pictures"}}, [&] {
+      for (const Picture& picture : gallery.pictures) write_picture(page, picture);
+    });
+    if (!gallery.caption.empty()) html.element("figcaption", gallery.caption);
+  });
+}
+
+// The result comes first: on a narrow screen it is what must not be scrolled out of sight.
+void write_proof(Page& page, const Section& section, const Proof& proof) {
+  HtmlWriter& html = page.html;
+  write_scroll_box(page, "Evidence: " + section.title, [&] {
+    html.element("table", {{"class", "proof"}}, [&] {
+      html.element("caption", "Evidence");
+      html.element("thead", [&] {
+        html.element("tr", [&] {
+          html.element("th", {{"scope", "col"}}, "Result");
+          html.element("th", {{"scope", "col"}}, "Claim, and how it is shown");
+          html.element("th", {{"scope", "col"}, {"class", "number"}}, "Value");
+          html.element("th", {{"scope", "col"}, {"class", "number"}}, "Tolerance");
+        });
+      });
+      html.element("tbody", [&] {
+        for (const Evidence& line : proof.lines) {
+          html.element("tr", [&] {
+            html.element("td", [&] { write_result(page, line.passed()); });
+            html.element("th", {{"scope", "row"}}, [&] {
+              html.element("div", line.claim);
+              if (!line.how.empty()) html.element("div", {{"class", "how"}}, line.how);
+            });
+            html.element("td", {{"class", "number"}}, rounded(line.value, line.unit));
+            html.element("td", {{"class", "number"}}, rounded(line.tolerance, line.unit));
+          });
+        }
+      });
+    });
+  });
+}
+
+}  // namespace
+
+void write_paragraph(Page& page, const Paragraph& paragraph) {
+  switch (paragraph.tone) {
+    case Paragraph::Tone::plain:
+      page.html.element("p", paragraph.text);
+      break;
+    case Paragraph::Tone::note:
+      page.html.element("p", {{"class", "note"}}, paragraph.text);
+      break;
+    case Paragraph::Tone::warning:
+      page.html.element("p", {{"class", "warning"}}, [&] {
+        page.html.element("strong", "⚠ Warning.");
+        page.html.text(" " + paragraph.text);
+      });
+  }
+}
+
+void write_result(Page& page, bool passed) {
+  page.html.element("span", {{"class", passed ? "result passed" : "result failed"}}, passed ? "✓ passed" : "✗ failed");
+}
+
+void write_block(Page& page, const Section& section, const Block& block) {
+  struct {
+    Page& page;
+    const Section& section;
+    void operator()(const Paragraph& paragraph) const { write_paragraph(page, paragraph); }
+    void operator()(const Table& table) const { write_table(page, table); }
+    void operator()(const figure::Figure& figure) const { write_figure(page, figure); }
+    void operator()(const Gallery& gallery) const { write_gallery(page, gallery); }
+    void operator()(const Proof& proof) const { write_proof(page, section, proof); }
+  } const writer{page, section};
+  std::visit(writer, block);
+}
+
+}  // namespace pmreport::document

@@ -1,0 +1,37 @@
+// The parts of report.html, each written in its own file.
+#pragma once
+
+#include <reports/document/html/html_writer.hpp>
+#include <reports/document/names.hpp>
+
+namespace pmreport::document {
+
+struct Page {
+  const Report& report;
+  const Names& names;
+  const std::vector<std::string>& drawings;  // SVG of each figure, in order
+  HtmlWriter html = {};
+  std::size_t figure = 0, picture = 0;  // how many are written
+};
+
+void write_block(Page& page, const Section& section, const Block& block);
+void write_paragraph(Page& page, const Paragraph& paragraph);
+
+// The box in which a wide thing moves sideways on a narrow screen; the keyboard reaches it too.
+template <class Inside>
+void write_scroll_box(Page& page, std::string_view label, Inside inside) {
+  page.html.element("div", {{"class", "scroll"}, {"role", "region"}, {"aria-label", label}, {"tabindex", "0"}}, inside);
+}
+
+void write_result(Page& page, bool passed);  // a symbol, a word and, last, a colour
+
+// The page with drawings that exist already; names and drawings in the report's order.
+std::string to_html(const Report& r, const Names& names, const std::vector<std::string>& drawings);
+
+// Of an SVG file the part that stands inside HTML. Styles become presentation attributes: a page shown under a policy that forbids inline
+// styles, as Jenkins does by default, would draw every curve as a black blot.
+std::string inline_svg(const std::string& svg);
+
+extern const char* const html_style;
+
+}  // namespace pmreport::document

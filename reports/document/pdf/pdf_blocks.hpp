@@ -1,0 +1,50 @@
+// Blocks of the report become pieces in the flow.
+#pragma once
+
+#include <reports/document/names.hpp>
+#include <reports/document/pdf/pdf_style.hpp>
+#include <reports/document/report.hpp>
+
+#include <string>
+#include <vector>
+
+namespace pmreport::document::pdf {
+
+struct Composer {
+  const Report& report;
+  const Names names;
+  cairo_t* cr;  // what text is measured on and drawn to
+  Flow flow{};
+  int figures = 0, tables = 0;  // numbered so far
+};
+
+// Lines of text that may break over pages, yet never with one line alone before or after the break.
+struct Bar {
+  Colour colour;
+};
+void put_lines(Composer& c, const std::string& markup, const Style& style, double indent = 0, const Bar* bar = nullptr,
+               bool keep_with_next = false);
+
+void put_paragraph(Composer& c, const Paragraph& p);
+void put_figure(Composer& c, const figure::Figure& f);
+void put_gallery(Composer& c, const Gallery& g);
+void put_proof(Composer& c, const Proof& p);
+void put_checks(Composer& c, const std::vector<Check>& checks);
+
+// Rows beyond the first few dozens are left out, with a word about where they are.
+void put_table(Composer& c, const Table& t);
+
+// A number and its heading, kept with what follows; links to `destination` lead here.
+void put_heading(Composer& c, const std::string& number, const std::string& title, const std::string& destination);
+void put_subheading(Composer& c, const std::string& title);
+
+// "Source   Wang et al. 2017"; nothing when the value is empty.
+void put_field(Composer& c, const std::string& label, const std::string& value);
+
+// "Figure 3. caption", as markup.
+std::string numbered(const char* kind, int number, const std::string& caption_markup);
+
+// "pass", or "FAIL" so that nobody overlooks it.
+std::string verdict_markup(bool passed);
+
+}  // namespace pmreport::document::pdf

@@ -1,0 +1,143 @@
+// Pictures: decoded when they are drawn, one at a time; laid on white, so that the file needs no mask; no finer than print can show.
+#include <reports/document/pdf/pdf_blocks.hpp>
+#include <reports/document/pdf/pdf_link.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+namespace pmreport::document::pdf {
+
+namespace {
+
+struct Destroy {
+  void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
+  void operator()(cairo_t* c) const { cairo_destroy(c); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
+using Context = std::unique_ptr<cairo_t, Destroy>;
+
+struct Reader {
+  const std::string& png;
+  std::size_t at = 0;
+};
+
+cairo_status_t read(void* closure, unsigned char* data, unsigned int length) {
+  Reader& r = *static_cast<Reader*>(closure);
+  if (r.png.size() - r.at < length) return CAIRO_STATUS_READ_ERROR;
+  std::memcpy(data, r.png.data() + r.at, length);
+  r.at += length;
+  return CAIRO_STATUS_SUCCESS;
+}
+
+// Opaque, at most `width` pixels wide; null when the bytes are no PNG.
+Surface decode(const std::string& png, double width) {
+  Reader reader{png};
+  const Surface source(cairo_image_surface_create_from_png_stream(read, &reader));
+  if (cairo_surface_status(source.get()) != CAIRO_STATUS_SUCCESS) return nullptr;
+  const int w = cairo_image_surface_get_width(source.get()), h = cairo_image_surface_get_height(source.get());
+  const double scale = std::min(1.0, width / w);
+  const int new_w = std::max(1, static_cast<int>(std::lround(scale * w))), new_h = std::max(1, static_cast<int>(std::lround(scale * h)));
+  Surface result(cairo_image_surface_create(CAIRO_FORMAT_RGB24, new_w, new_h));
+  const Context cr(cairo_create(result.get()));
+  cairo_set_source_rgb(cr.get(), 1, 1, 1);
+  cairo_paint(cr.get());
+  cairo_scale(cr.get(), static_cast<double>(new_w) / w, static_cast<double>(new_h) / h);
+  cairo_set_source_surface(cr.get(), source.get(), 0, 0);
+  cairo_pattern_set_filter(cairo_get_source(cr.get()), scale < 1 ? CAIRO_FILTER_GOOD : CAIRO_FILTER_NEAREST);
+  cairo_pattern_set_extend(cairo_get_source(cr.get()), CAIRO_EXTEND_PAD);
+  cairo_paint(cr.get());
+  return result;
+}
+
+void draw_picture(cairo_t* cr, const Picture& p, const Box& box) {
+  constexpr double pixels_per_point = 300.0 / 72;
+  const Surface image = decode(p.png, box.width * pixels_per_point);
+  if (image) {
+    cairo_save(cr);
+    cairo_translate(cr, box.x, box.y);
+    cairo_scale(cr, box.width / cairo_image_surface_get_width(image.get()), box.height / cairo_image_surface_get_height(image.get()));
+    cairo_set_source_surface(cr, image.get(), 0, 0);
+    cairo_paint(cr);
+    cairo_restore(cr);
+  } else {
+    Lines(cr, coloured("This picture cannot be read.", bad), caption, box.width - 16).draw(cr, box.x + 8, box.y + 8);
+  }
+  set_colour(cr, hairline);
+  cairo_set_line_width(cr, 0.4);
+  cairo_rectangle(cr, box.x, box.y, box.width, box.height);
+  cairo_stroke(cr);
+}
+
+// Height of a picture `width` wide, in the proportions that its PNG header states; those of 4:3 when it has none.
+double height_at(const Picture& p, double width) {
+  const auto big_endian = [&](std::size_t at) {
+    double value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = 256 * value + static_cast<unsigned char>(p.png[at + i]);
+    return value;
+  };
+  if (p.png.size() < 24 || p.png.compare(0, 8, "\x89PNG\r\n\x1a\n") != 0) return 0.75 * width;
+  const double w = big_endian(16), h = big_endian(20);
+  return w > 0 && h > 0 ? width * h / w : 0.75 * width;
+}
+
+struct Shown {
+  const Picture* picture;
+  Box box;
+  Lines below;
+};
+
+// As large as `width` and `most` high allow, in the middle of its column.
+Shown show(Composer& c, const Picture& p, const std::string& text, double x, double width, double most) {
+  const double height = height_at(p, width), scale = std::min(1.0, most / height);
+  return {&p, {x + (1 - scale) / 2 * width, 0, scale * width, scale * height}, Lines(c.cr, text, caption, width)};
+}
+
+void put_shown(Composer& c, const std::vector<Shown>& row, bool keep_with_next) {
+  double pictures = 0, texts = 0;
+  for (const auto& s : row) {
+    pictures = std::max(pictures, s.box.height);
+    texts = std::max(texts, s.below.height());
+  }
+  Piece piece{.height = pictures + 4 + texts, .keep_with_next = keep_with_next, .role = "Figure"};
+  piece.draw = [row, pictures](cairo_t* cr) {
+    for (const auto& s : row) draw_picture(cr, *s.picture, s.box);
+    for (const auto& s : row) s.below.draw(cr, s.box.x, pictures + 4);
+  };
+  c.flow.put(std::move(piece));
+}
+
+std::string letter(std::size_t i) { return i < 26 ? fmt::format("({})", static_cast<char>('a' + i)) : fmt::format("({})", i + 1); }
+
+}  // namespace
+
+void put_gallery(Composer& c, const Gallery& g) {
+  if (g.pictures.empty()) return;
+  c.flow.gap(12);
+  if (g.pictures.size() == 1) {
+    const Picture& p = g.pictures.front();
+    const std::string between = g.caption.empty() || p.caption.empty() ? "" : " ";
+    const std::string text = markup_line(g.caption) + between + markup_line(p.caption);
+    constexpr double width = 140 * mm;
+    put_shown(c, {show(c, p, text, (text_width - width) / 2, width, 0.6 * text_height)}, false);
+  } else {
+    constexpr double width = (text_width - 4 * mm) / 2;
+    for (std::size_t i = 0; i < g.pictures.size(); i += 2) {
+      std::vector<Shown> row;
+      for (std::size_t j = i; j < std::min(i + 2, g.pictures.size()); ++j) {
+        const std::string text = coloured(letter(j) + " ", grey) + markup_line(g.pictures[j].caption);
+        row.push_back(show(c, g.pictures[j], text, j == i ? 0 : text_width - width, width, 0.45 * text_height));
+      }
+      put_shown(c, row, i + 2 >= g.pictures.size());
+      c.flow.gap(8);
+    }
+    const Lines lines(c.cr, markup_line(g.caption), caption, text_width);
+    c.flow.put({.height = lines.height(), .draw = [lines](cairo_t* cr) { lines.draw(cr, 0, 0); }, .role = "Caption"});
+  }
+  c.flow.gap(14);
+}
+
+}  // namespace pmreport::document::pdf

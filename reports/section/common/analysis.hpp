@@ -1,0 +1,18 @@
+// What every section reads: the analysis of the run, under its own names.
+#pragma once
+
+#include <core/analysis/analysis.hpp>
+
+namespace pmreport::section {
+
+using analysis::Analysis;
+using analysis::Condition;
+using analysis::Crossing;
+using analysis::Interval;
+using analysis::LimitBreach;
+using analysis::Measure;
+using analysis::Progress;
+using analysis::Worst;
+using mechanics::Indeterminate;
+
+}  // namespace pmreport::section

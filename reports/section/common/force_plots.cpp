@@ -1,0 +1,86 @@
+#include <reports/section/common/force_plots.hpp>
+
+#include <reports/section/common/words.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace pmreport::section {
+
+std::vector<Curve> of_actuators(const Analysis& a, const std::string& suffix, const std::string& unit) {
+  std::vector<Curve> out;
+  for (const Actuator& x : a.machine().topology().actuators)
+    if ((unit.empty() || x.unit == unit) && a.has(x.name + suffix)) out.push_back({x.name + suffix, symbol(x.name)});
+  return out;
+}
+
+std::vector<Curve> of_actuators(const Analysis& a, const std::string& suffix) { return of_actuators(a, suffix, ""); }
+
+void add_limit_lines(figure::Panel& p, const Analysis& a, const std::vector<double>& limits, const std::string& unit, double per_si) {
+  std::map<double, std::string> names;  // of each bound, whom it binds
+  int bound = 0, all = 0;
+  const std::vector<Actuator>& actuators = a.machine().topology().actuators;
+  for (std::size_t i = 0; i < actuators.size(); ++i) {
+    if (!unit.empty() && actuators[i].unit != unit) continue;
+    ++all;
+    if (i >= limits.size() || !std::isfinite(limits[i])) continue;
+    ++bound;
+    std::string& name = names[limits[i]];
+    name += (name.empty() ? "" : " ") + symbol(actuators[i].name);
+  }
+  for (const auto& [limit, name] : names) {
+    const std::string label = names.size() == 1 && bound == all ? "limit" : "limit " + name;
+    p.lines.push_back({limit * per_si, label});
+    p.lines.push_back({-limit * per_si, label});
+  }
+}
+
+figure::Panel share_panel(const Analysis& a, const std::string& title, const std::string& axis, const std::string& unit,
+                          const std::vector<Share>& shares, bool keys) {
+  std::vector<Curve> curves;
+  for (const Share& s : shares) curves.push_back({s.column, keys ? s.label : ""});
+  figure::Panel p = panel(a, title, axis, unit, curves);
+  for (std::size_t i = 0; i < shares.size(); ++i) p.series[i].style = shares[i].style;
+  return p;
+}
+
+std::string effort(const std::string& actuator_unit) { return actuator_unit == "m" ? "force" : "torque"; }
+std::string effort_unit(const std::string& actuator_unit) { return actuator_unit == "m" ? "N" : "N*m"; }
+
+Peak peak(const Analysis& a, const std::string& column) {
+  Peak out;
+  const std::vector<double>& x = a.column(column);
+  for (int k = 0; k < a.samples(); ++k) {
+    const double value = x[static_cast<std::size_t>(k)];
+    if (std::isfinite(value) && (out.sample < 0 || std::abs(value) > std::abs(out.value))) out = {k, value};
+  }
+  return out;
+}
+
+double rms(const Analysis& a, const std::string& column) {
+  double squares = 0;
+  int count = 0;
+  for (const double x : a.column(column))
+    if (std::isfinite(x)) squares += x * x, ++count;
+  return count > 0 ? std::sqrt(squares / count) : std::numeric_limits<double>::quiet_NaN();
+}
+
+TableColumn::TableColumn(const std::string& title, const std::string& unit, const std::vector<double>& values) {
+  double largest = 0;
+  for (const double x : values)
+    if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
+  const DisplayUnit d = display_unit(unit, largest);
+  per_si_ = d.per_si;
+  heading_ = d.label.empty() ? title : fmt::format("{} [{}]", title, d.label);
+}
+
+std::string TableColumn::cell(double value) const {
+  if (!std::isfinite(value)) return "–";
+  return typeset(format_number((std::abs(value) < 1e-13 ? 0 : value) * per_si_, 4));
+}
+
+}  // namespace pmreport::section

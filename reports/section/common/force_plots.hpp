@@ -1,0 +1,54 @@
+// Panels and tables of forces in motion that the sections `dynamics` and `drives` share.
+#pragma once
+
+#include <core/text/units.hpp>
+#include <reports/section/common/plots.hpp>
+
+#include <string>
+#include <vector>
+
+namespace pmreport::section {
+
+// The curves NAME_suffix of the actuators of a unit, "m" or "rad", labelled by their symbols; those that the run has.
+std::vector<Curve> of_actuators(const Analysis& a, const std::string& suffix, const std::string& unit);
+std::vector<Curve> of_actuators(const Analysis& a, const std::string& suffix);  // of any unit
+
+// Lines at both signs of the finite `limits` (one an actuator, SI) of the actuators of a unit; those alike in one. `per_si`: the panel's.
+void add_limit_lines(figure::Panel& p, const Analysis& a, const std::vector<double>& limits, const std::string& unit, double per_si);
+
+// The curves of one actuator that a figure of shares shows, in the same style in every panel; keys in the first panel alone.
+struct Share {
+  std::string column, label;
+  int style;
+};
+constexpr int total_style = 73;                                      // black, solid
+constexpr int load_style = 1, gravity_style = 2, inertia_style = 5;  // orange, green and sky blue, dashed
+figure::Panel share_panel(const Analysis& a, const std::string& title, const std::string& axis, const std::string& unit,
+                          const std::vector<Share>& shares, bool keys);
+
+// "F" by unit of an actuator: a force, or a torque.
+std::string effort(const std::string& actuator_unit);       // "force", "torque"
+std::string effort_unit(const std::string& actuator_unit);  // "N", "N*m"
+
+// The sample with the largest magnitude in a column; value 0 and sample -1 where there is none.
+struct Peak {
+  int sample = -1;
+  double value = 0;  // with its sign
+};
+Peak peak(const Analysis& a, const std::string& column);
+// Root of the mean square over the samples that have a value; NaN where none has.
+double rms(const Analysis& a, const std::string& column);
+
+// A column of a table: one SI unit, shown in the unit that reads best for its largest number.
+class TableColumn {
+ public:
+  TableColumn(const std::string& title, const std::string& unit, const std::vector<double>& values);
+  const std::string& heading() const { return heading_; }  // "peak force [N]"
+  std::string cell(double value) const;                    // "–" where it is not a number
+
+ private:
+  std::string heading_;
+  double per_si_;
+};
+
+}  // namespace pmreport::section

@@ -1,0 +1,114 @@
+#include <reports/section/common/plots.hpp>
+#include <reports/section/common/words.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pmreport::section {
+
+using mechanics::Column;
+
+namespace {
+// SI. What is smaller is the rounding of sums that vanish: figures and tables show zero, data files the number.
+constexpr double rounding = 1e-13;
+double shown(double x) { return std::abs(x) < rounding ? 0 : x; }
+}  // namespace
+
+figure::Panel panel(const Analysis& a, const std::string& title, const std::string& axis, const std::string& unit,
+                    const std::vector<Curve>& curves) {
+  std::vector<std::string> names;
+  for (const Curve& c : curves) names.push_back(c.column);
+  const DisplayUnit d = display_unit(unit, shown(a.largest(names)));
+  figure::Panel p;
+  p.title = title;
+  p.x = {"time", "s"};
+  p.y = {axis, d.label};
+  for (const Curve& c : curves) {
+    figure::Series s{c.label, a.time(), a.column(c.column), -1};
+    for (double& y : s.y) y = shown(y) * d.per_si;
+    p.series.push_back(std::move(s));
+  }
+  // A sample stands for the time halfway to its neighbours.
+  const std::vector<double>& t = a.time();
+  const auto band = [&](const Interval& i, figure::Band::Kind kind) {
+    const auto first = static_cast<std::size_t>(i.first), last = static_cast<std::size_t>(i.last);
+    const double from = first > 0 ? (t[first - 1] + t[first]) / 2 : t[first];
+    const double to = last + 1 < t.size() ? (t[last] + t[last + 1]) / 2 : t[last];
+    p.bands.push_back({from, to, kind});
+  };
+  for (const Interval& i : a.broken()) band(i, figure::Band::Kind::limit);
+  for (const Interval& i : a.unreachable()) band(i, figure::Band::Kind::unreachable);
+  return p;
+}
+
+std::vector<Curve> group(const Analysis& a, const std::string& section, const std::string& name, const std::string& unit) {
+  std::vector<Curve> out;
+  const bool vector = name == "velocity" || name == "angular_velocity" || name == "acceleration" || name == "angular_acceleration";
+  for (const Column& c : a.columns_of(section)) {
+    if (c.group != name || (!unit.empty() && c.unit != (unit == "1" ? "" : unit))) continue;
+    std::string stem = vector ? c.name.substr(c.name.size() - 1) : c.name;  // a vector's components are labelled by their axes
+    for (const std::string_view suffix : {"_rate", "_acceleration", "_dynamic_force", "_force", "_deflection", "_angle"})
+      if (stem.ends_with(suffix)) stem.resize(stem.size() - suffix.size());
+    out.push_back({c.name, symbol(stem)});
+  }
+  // x, y, z and alpha, beta, gamma in this order, whichever of them is the dependent one.
+  if (name.starts_with("coordinate")) std::sort(out.begin(), out.end(), [](const Curve& x, const Curve& y) { return x.column < y.column; });
+  // The force of l₃, or of ρ₃, is F₃: a Greek letter takes two bytes, the first of them 0xCE or 0xCF.
+  if (name == "actuator_force" || name == "dynamic_force")
+    for (Curve& c : out) {
+      std::size_t at = std::min(c.label.size(), c.label.find_first_not_of("abcdefghijklmnopqrstuvwxyz"));
+      if (at + 1 < c.label.size() && (c.label[at] == '\xCE' || c.label[at] == '\xCF')) at += 2;
+      c.label = "F" + c.label.substr(at);
+    }
+  if (name == "constraint" && out.size() == 1) out.front().label = "Fτ";
+  return out;
+}
+
+document::Table extremes(const Analysis& a, const std::string& caption, const std::vector<Column>& columns) {
+  document::Table table{
+      caption, {"quantity", "meaning", "smallest", "at", "largest", "at", "unit"}, {false, false, true, true, true, true, false}, {}};
+  for (const Column& c : columns) {
+    const std::vector<double>& x = a.column(c.name);
+    int low = -1, high = -1;
+    for (int k = 0; k < a.samples(); ++k) {
+      const double v = x[static_cast<std::size_t>(k)];
+      if (!std::isfinite(v)) continue;
+      if (low < 0 || v < x[static_cast<std::size_t>(low)]) low = k;
+      if (high < 0 || v > x[static_cast<std::size_t>(high)]) high = k;
+    }
+    if (low < 0) {
+      table.rows.push_back({c.name, c.title, "–", "–", "–", "–", c.unit});
+      continue;
+    }
+    const double smallest = shown(x[static_cast<std::size_t>(low)]), largest = shown(x[static_cast<std::size_t>(high)]);
+    const DisplayUnit d = display_unit(c.unit, std::max(std::abs(smallest), std::abs(largest)));
+    table.rows.push_back({c.name, c.title, typeset(format_number(smallest * d.per_si, 5)), show_time(a, low),
+                          typeset(format_number(largest * d.per_si, 5)), show_time(a, high), d.label});
+  }
+  return table;
+}
+
+document::Proof proof(const Analysis& a, const std::vector<Claim>& claims) {
+  document::Proof p;
+  for (const Claim& c : claims) {
+    const Worst w = a.worst(c.measure);
+    std::string how = c.how;
+    if (w.compared < a.samples()) how += fmt::format(" ({} of {} samples)", w.compared, a.samples());
+    p.lines.push_back({c.claim, how, w.compared > 0 ? w.value : std::numeric_limits<double>::quiet_NaN(), c.tolerance, c.unit});
+  }
+  return p;
+}
+
+document::Data data_of(const Analysis& a, const std::string& section) {
+  document::Data d{section, {"t [s]"}, {a.time()}};
+  for (const Column& c : a.columns_of(section)) {
+    d.headings.push_back(c.unit.empty() ? c.name : fmt::format("{} [{}]", c.name, c.unit));
+    d.columns.push_back(a.column(c.name));
+  }
+  return d;
+}
+
+}  // namespace pmreport::section

@@ -1,0 +1,35 @@
+// Panels and proofs from the columns and measures of an analysis.
+#pragma once
+
+#include <reports/document/report.hpp>
+#include <reports/section/common/analysis.hpp>
+
+#include <string>
+#include <vector>
+
+namespace pmreport::section {
+
+struct Curve {
+  std::string column, label;
+};
+
+// A panel of columns with one SI unit, scaled to the unit that reads best; samples that break a limit are shaded, gaps kept.
+figure::Panel panel(const Analysis& a, const std::string& title, const std::string& axis, const std::string& unit,
+                    const std::vector<Curve>& curves);
+// The curves of a group of columns, labelled by the symbols of their quantities: "l1_rate" by l₁. `unit`: only those of it, "1" those
+// without one; empty: all.
+std::vector<Curve> group(const Analysis& a, const std::string& section, const std::string& name, const std::string& unit = "");
+// Smallest and largest value of columns and when, as a table.
+document::Table extremes(const Analysis& a, const std::string& caption, const std::vector<mechanics::Column>& columns);
+
+struct Claim {
+  Measure measure;
+  std::string claim, how;
+  double tolerance;
+  std::string unit;
+};
+document::Proof proof(const Analysis& a, const std::vector<Claim>& claims);
+
+document::Data data_of(const Analysis& a, const std::string& section);
+
+}  // namespace pmreport::section

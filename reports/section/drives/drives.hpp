@@ -1,0 +1,27 @@
+// The parts of the section `drives`.
+#pragma once
+
+#include <core/mechanics/dynamics/drive.hpp>
+#include <reports/document/report.hpp>
+#include <reports/section/common/analysis.hpp>
+
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace pmreport::section {
+
+constexpr double rpm = 30 / std::numbers::pi;  // per rad/s
+
+const std::vector<Actuator>& actuators(const Analysis& a);
+const mechanics::DriveTrain& train(const Analysis& a, std::size_t actuator);
+bool has_motor(const Analysis& a, std::size_t actuator);
+bool any_motor(const Analysis& a);
+// Share of the samples at which the actuator is driven back: force and rate oppose each other.
+double driven_back(const Analysis& a, const std::string& actuator);
+
+std::vector<document::Paragraph> drive_words(const Analysis& a);
+std::vector<figure::Figure> drive_figures(const Analysis& a);
+std::vector<document::Table> drive_tables(const Analysis& a);
+
+}  // namespace pmreport::section

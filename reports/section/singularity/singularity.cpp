@@ -1,0 +1,282 @@
+// Section `singularity`: how far the motion stays from a loss of control, where it is lost, of which type, and how the platform escapes.
+#include <reports/section/common/plots.hpp>
+#include <reports/section/common/words.hpp>
+#include <reports/section/section.hpp>
+#include <reports/section/singularity/singularity.hpp>
+
+#include <fmt/core.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace pmreport::section {
+
+using document::Paragraph;
+using mechanics::Singularity;
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t pictured = 4;  // poses at most
+constexpr std::size_t examined = 8;  // crossings at most
+const scene::Color escape_color{0.82F, 0.0F, 0.42F, 1.0F};
+
+std::string coordinates_words(const mechanics::Machine& m, const Eigen::VectorXd& q) {
+  std::vector<std::string> parts;
+  const Eigen::VectorXd home = m.home();
+  for (int i = 0; i < q.size(); ++i) {
+    const Coordinate& c = m.topology().coordinates[static_cast<std::size_t>(i)];
+    if (std::abs(q(i) - home(i)) > 1e-12) parts.push_back(fmt::format("{} = {}", symbol(c.name), show(q(i), c.unit, 6)));
+  }
+  return parts.empty() ? "home" : listed(parts);
+}
+
+std::optional<ExaminedPose> examine(const Analysis& a, const std::string& name, const Eigen::VectorXd& q, double length, bool snap) {
+  const mechanics::Machine& m = a.machine();
+  auto at = mechanics::singularity_at(m, q, a.mobility(), length);
+  if (!at) return std::nullopt;
+  ExaminedPose p{name, coordinates_words(m, q), std::move(*at), std::nullopt};
+  p.determinant = p.at.conditioning.determinant, p.smallest = p.at.conditioning.smallest, p.condition = p.at.conditioning.condition();
+  if (snap && !p.singular()) {
+    p.snapped = mechanics::onto_surface(m, q, length);
+    if (p.snapped)
+      if (auto on = mechanics::singularity_at(m, p.snapped->coordinates, a.mobility(), length)) p.at = std::move(*on);
+  }
+  return p;
+}
+
+document::Table pose_table(const std::vector<ExaminedPose>& poses) {
+  document::Table t{"Poses looked at closely. Ranks of the lines of the actuators' forces, and of all wrenches on the platform.",
+                    {"pose", "where", "det Ĝ", "σ₆", "condition", "lines", "all", "verdict"},
+                    {false, false, true, true, true, true, true, false},
+                    {}};
+  const auto number = [](double x, int digits) { return typeset(format_number(x, digits)); };
+  for (const ExaminedPose& p : poses) {
+    // What lies at rounding of a double is zero and is told as such.
+    const bool zero = p.smallest < 1e-12;
+    t.rows.push_back({p.name, p.where, zero ? "0" : number(p.determinant, 3), zero ? "0" : number(p.smallest, 3),
+                      zero ? "∞" : number(p.condition, 3), std::to_string(p.at.ranks.lines), std::to_string(p.at.ranks.wrenches),
+                      type_name(p.at.type)});
+  }
+  return t;
+}
+
+figure::Figure motion_figure(const Analysis& a, const AlongMotion& along) {
+  figure::Figure f{"singularity",
+                   "Along the motion: determinant, smallest singular value and condition number of Ĝ.",
+                   "data/singularity.csv",
+                   figure::Width::full,
+                   3,
+                   {}};
+  const std::pair<const char*, const std::vector<double>*> curves[] = {
+      {"det Ĝ", &along.determinant}, {"smallest singular value", &along.smallest}, {"condition number", &along.condition}};
+  for (const auto& [title, values] : curves) {
+    figure::Panel p = panel(a, title, title, "", {});
+    p.y.label = values == &along.determinant ? "det Ĝ" : values == &along.smallest ? "σ₆" : "σ₁/σ₆";
+    p.series.push_back({"", a.time(), *values, -1});
+    f.panels.push_back(std::move(p));
+  }
+  return f;
+}
+
+// The other two kinds of singularities announce themselves in the constraints of the bodies, not in G.
+std::string passive_words(const Analysis& a, double length) {
+  constexpr int looked_at = 16;
+  const int n = std::min(looked_at, a.samples());
+  std::vector<double> inverse(static_cast<std::size_t>(n), nan), constraint = inverse;
+  tbb::parallel_for(0, n, [&](int i) {
+    const int k = n > 1 ? i * (a.samples() - 1) / (n - 1) : 0;
+    if (a.condition(k) == Condition::unreachable) return;
+    const mechanics::State s = state_at_rest(a.machine(), a.scenario().motion.value.row(k).transpose());
+    if (s.status != PM_OK) return;
+    const mechanics::LockedFreedoms f = locked_freedoms(a.machine(), s, a.mobility(), length);
+    inverse[static_cast<std::size_t>(i)] = f.inverse_margin, constraint[static_cast<std::size_t>(i)] = f.constraint_margin;
+  });
+  const auto least = [](const std::vector<double>& v) {
+    double out = std::numeric_limits<double>::infinity();
+    for (const double x : v)
+      if (std::isfinite(x)) out = std::min(out, x);
+    return out;
+  };
+  if (!std::isfinite(least(inverse))) return "";
+  return fmt::format(
+      "Types 1 and constraint show in the constraints of the bodies, not in G: at {} poses of the motion the smallest singular value of "
+      "all "
+      "constraints with the platform locked is {} or more (zero: a limb is singular, type 1), that of all constraints {} or more (zero: a "
+      "constraint singularity).",
+      n, typeset(format_number(least(inverse), 3)), typeset(format_number(least(constraint), 3)));
+}
+
+std::string lines_words(const mechanics::Machine& m, const Singularity& s) {
+  std::vector<std::string> others;
+  for (std::size_t i = 0; i < s.ranks.pitch.size(); ++i) {
+    const double h = s.ranks.pitch[i];
+    const std::string name = symbol(m.topology().actuators[i].name);
+    if (h != 0) others.push_back(std::isinf(h) ? name + " (a couple)" : fmt::format("{} (pitch {})", name, show(h, "m", 3)));
+  }
+  if (others.empty()) return "Each actuator acts on the platform by a force along a line.";
+  return fmt::format("Not every actuator acts along a line: {}. The rank of their wrenches is not one of lines.", listed(others));
+}
+
+document::Proof proof_of(const std::vector<ExaminedPose>& poses, double length) {
+  int ranks = 0, singular = 0;
+  double angle = 0;
+  for (const ExaminedPose& p : poses) {
+    const Singularity& s = p.at;
+    ranks = std::max(ranks, std::abs(6 - s.ranks.wrenches - s.freedoms.platform));
+    if (s.freedoms.platform == 0 || s.ranks.wrenches == 6) continue;
+    ++singular;
+    // Twists weigh their lower half by the length, wrenches by its inverse.
+    angle = std::max(angle, outside({s.freedoms.escapes.origin, s.conditioning.escape}, s.freedoms.escapes, 1 / length));
+  }
+  document::Proof proof;
+  proof.lines.push_back(
+      {"Closed form and generic model agree on what is lost",
+       fmt::format("6 less the rank of G against the freedoms of the platform that the constraints of all bodies leave with the "
+                   "actuators locked, at {}, largest difference",
+                   plural(static_cast<int>(poses.size()), "pose")),
+       double(ranks), 0, ""});
+  // A singular pose is known to the last digits of its coordinate; the smallest singular value there is 1e-15, the next one 1e-3 or more.
+  if (singular > 0)
+    proof.lines.push_back({"They agree on how the platform escapes",
+                           fmt::format("singular vector of Ĝ against the twists that the generic model allows, sine of the angle, at {}",
+                                       plural(singular, "singular pose")),
+                           angle, 1e-6, ""});
+  return proof;
+}
+
+// The pose with its escape, framed so that the whole axis shows.
+Stage::Ordered portrait(const mechanics::Machine& m, const ExaminedPose& p, double length, const Stage& stage, std::size_t number) {
+  static const scenario::View isometric{"isometric", std::numbers::pi / 4, std::atan(1 / std::numbers::sqrt2)};
+  const mechanics::Pose pose = m.pose({p.at.coordinates.data(), static_cast<std::size_t>(p.at.coordinates.size())});
+  const mechanics::Screw e = escape_screw(m.topology(), p, length);
+  scene::Extras extras;
+  extras.frames = false;
+  extras.screws.push_back({e.point, e.direction, e.pitch, "$", escape_color});
+  scene::Bounds bounds;
+  scene::include(bounds, m, m.home_pose());
+  scene::include(bounds, m, pose);
+  scene::include(bounds, m, pose, extras.screws[0]);
+  const std::string caption = p.at.freedoms.platform > 0 ? p.name + ": with the actuators locked the platform escapes by the twist $."
+                                                         : p.name + ": the twist $ that the actuators hold least.";
+  return stage.picture(m, pose, extras, bounds, isometric, fmt::format("singularity-{}", number), caption, {800, 600, false, 2});
+}
+
+}  // namespace
+
+Result singularity_section(const Analysis& a, const scenario::SectionRequest& r, const Stage& stage, const Progress& progress) {
+  const mechanics::Machine& m = a.machine();
+  const double length = r.length.value_or(a.length());
+  const AlongMotion along = along_motion(a, length);
+  Result out;
+  document::Section& s = out.section = {"singularity", "singularity", "Singularity", {}};
+  const auto tell = [&](const std::string& text, Paragraph::Tone tone = Paragraph::Tone::plain) {
+    if (!text.empty()) s.blocks.push_back(Paragraph{tone, text});
+  };
+
+  // The poses: where the motion is worst, where it crosses, and those given. Not every one of these can be assembled.
+  std::vector<ExaminedPose> poses;
+  std::optional<ExaminedPose> worst;
+  const auto& crossings = a.crossings();
+  std::vector<std::string> met;  // what is told of each crossing
+  for (std::size_t i = 0; i < std::min(examined, crossings.size()); ++i) {
+    const Crossing& c = crossings[i];
+    const std::string when = fmt::format("t = {} s", format_number(c.time, 7));
+    auto p = examine(a, when, c.coordinates, length, false);
+    met.push_back(fmt::format("At {} the mechanism {} a singular surface between the samples at {} and {}: {}{}.", when,
+                              c.touches ? "touches" : "crosses", show_time(a, c.before),
+                              show_time(a, std::min(c.before + 1, a.samples() - 1)), determinant_words(c),
+                              p ? "; " + type_words(p->at.type) : ""));
+    if (p) poses.push_back(std::move(*p));
+  }
+  if (!poses.empty()) {
+    worst = poses.front();
+  } else if (along.worst >= 0) {
+    worst = examine(a, "t = " + show_time(a, along.worst), a.scenario().motion.value.row(along.worst).transpose(), length, false);
+    if (worst) poses.push_back(*worst);
+  }
+  std::vector<const ExaminedPose*> given(r.poses.size(), nullptr);
+  poses.reserve(poses.size() + r.poses.size());
+  std::vector<std::string> refused;
+  for (std::size_t i = 0; i < r.poses.size(); ++i) {
+    if (auto p = examine(a, fmt::format("pose {}", i + 1), r.poses[i], length, true)) {
+      poses.push_back(std::move(*p));
+      given[i] = &poses.back();
+    } else {
+      refused.push_back(fmt::format("Pose {}, {}, cannot be assembled.", i + 1, coordinates_words(m, r.poses[i])));
+    }
+  }
+  progress.stop_if_asked();
+
+  std::vector<Stage::Ordered> ordered;
+  for (const ExaminedPose& p : poses)
+    if (ordered.size() < pictured && ((worst && p.name == worst->name) || p.singular()))
+      ordered.push_back(portrait(m, p, length, stage, ordered.size() + 1));
+
+  if (!a.scenario().motion.ending.empty()) tell(fmt::format("The motion {}.", a.scenario().motion.ending), Paragraph::Tone::warning);
+  for (const std::string& text : met) tell(text, Paragraph::Tone::warning);
+  if (crossings.size() > examined)
+    tell(fmt::format("{} more crossings are not looked at.", crossings.size() - examined), Paragraph::Tone::warning);
+  for (const std::string& text : refused) tell(text, Paragraph::Tone::warning);
+  tell(fmt::format(
+      "Ĝ is the overall Jacobian made dimensionless by the length L = {}{}: it maps (v; Lω) to the rates of the linear actuators, L "
+      "times those of rotary ones, and L times the rows of constraint couples. σ₁ to σ₆ are its singular values; σ₆ is zero on a "
+      "singular surface, and its singular vector is the twist that the actuators hold least.",
+      show(length, "m"), r.length ? "" : ", the mean distance of the platform's joints from its reference point"));
+  if (crossings.empty() && along.worst >= 0)
+    tell(fmt::format("The motion stays on one side of every singular surface: det Ĝ keeps its sign, and σ₆ is {} or more, least at t = {}.",
+                     typeset(format_number(along.smallest[static_cast<std::size_t>(along.worst)], 3)), show_time(a, along.worst)));
+  s.blocks.push_back(motion_figure(a, along));
+  tell(passive_words(a, length));
+  if (!poses.empty()) {
+    tell(lines_words(m, poses.front().at));
+    s.blocks.push_back(pose_table(poses));
+    for (const ExaminedPose& p : poses) {
+      if (p.snapped) {
+        const Coordinate& c = m.topology().coordinates[static_cast<std::size_t>(p.snapped->coordinate)];
+        tell(fmt::format(
+            "{} is given by rounded numbers: {} = {} lies on a singular surface, {} away. Ranks and verdict are those of that pose.",
+            p.name, symbol(c.name), show(p.snapped->coordinates(p.snapped->coordinate), c.unit, 9),
+            show(std::abs(p.snapped->moved), c.unit, 2)));
+      }
+      if (p.singular() || (worst && p.name == worst->name)) tell(escape_words(a, p, length));
+    }
+  }
+  if (r.map) {
+    SingularityMap map = singularity_map(a, *r.map, length);
+    tell(fmt::format("Of {} poses of the map {} can be assembled; det G is negative at {} of them.", map.all, map.reachable, map.negative));
+    s.blocks.push_back(map.figure);
+    out.data.push_back(std::move(map.data));
+  }
+  document::Gallery gallery{{}, ""};
+  for (Stage::Ordered& o : ordered) {
+    progress.stop_if_asked();
+    gallery.pictures.push_back(o.wait());
+  }
+  if (!gallery.pictures.empty()) s.blocks.push_back(gallery);
+  if (!poses.empty()) s.blocks.push_back(proof_of(poses, length));
+
+  const auto value = [&](const std::string& name, double x) { out.values.push_back({"singularity", name, "", x}); };
+  double smallest = along.worst >= 0 ? along.smallest[static_cast<std::size_t>(along.worst)] : nan, condition = nan;
+  for (const double c : along.condition)
+    if (std::isfinite(c) && !(c <= condition)) condition = c;
+  if (worst) smallest = std::min(smallest, worst->smallest), condition = std::max(condition, worst->condition);
+  value("crossings", double(crossings.size()));
+  value("smallest_singular_value", smallest);
+  value("largest_condition", condition);
+  value("line_rank", worst ? worst->at.ranks.lines : nan);
+  value("wrench_rank", worst ? worst->at.ranks.wrenches : nan);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    value(fmt::format("line_rank_{}", i + 1), given[i] != nullptr ? given[i]->at.ranks.lines : nan);
+    value(fmt::format("wrench_rank_{}", i + 1), given[i] != nullptr ? given[i]->at.ranks.wrenches : nan);
+  }
+  out.data.insert(out.data.begin(), {"singularity",
+                                     {"t [s]", "determinant", "smallest_singular_value", "condition"},
+                                     {a.time(), along.determinant, along.smallest, along.condition}});
+  return out;
+}
+
+}  // namespace pmreport::section

@@ -1,0 +1,44 @@
+// The parts of section `singularity`.
+#pragma once
+
+#include <core/mechanics/singularity/singularity.hpp>
+#include <reports/document/report.hpp>
+#include <reports/section/common/screw_words.hpp>
+
+#include <optional>
+
+namespace pmreport::section {
+
+// det G^, smallest singular value and condition of G^ at every sample; NaN without a pose.
+struct AlongMotion {
+  std::vector<double> determinant, smallest, condition;
+  int worst = -1;  // sample of the smallest singular value; -1: none has a pose
+};
+AlongMotion along_motion(const Analysis& a, double length);
+
+// A pose that the section looks at closely.
+struct ExaminedPose {
+  std::string name;   // "t = 3.314 s, crossing", "pose 1"
+  std::string where;  // coordinates that differ from home: "alpha = −62.688°"
+  mechanics::Singularity at;
+  std::optional<mechanics::OnSurface> snapped;          // ranks and type are those of the singular pose that rounded numbers mean
+  double determinant = 0, smallest = 0, condition = 0;  // at the numbers given
+  bool singular() const { return at.type != mechanics::SingularityType::regular; }
+};
+
+std::string type_name(mechanics::SingularityType t);   // "type 2, direct", "regular"
+std::string type_words(mechanics::SingularityType t);  // with what it means
+// What the platform can do there although its actuators are locked; of a regular pose, what they hold least.
+std::string escape_words(const Analysis& a, const ExaminedPose& p, double length);
+// The screw to draw of it.
+mechanics::Screw escape_screw(const Topology& t, const ExaminedPose& p, double length);
+
+// det G^ and the signed smallest singular value over two coordinates, as a figure and as data.
+struct SingularityMap {
+  figure::Figure figure;
+  document::Data data;
+  int reachable = 0, all = 0, negative = 0;
+};
+SingularityMap singularity_map(const Analysis& a, const scenario::MapRequest& request, double length);
+
+}  // namespace pmreport::section

@@ -1,0 +1,214 @@
+#include <reports/section/speed/speed.hpp>
+
+#include <reports/section/common/force_plots.hpp>
+#include <reports/section/common/words.hpp>
+
+#include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/reactions/inverse_dynamics.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pmreport::section {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Kind = mechanics::SpeedLimit::Kind;
+using mechanics::SpeedLimit;
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+MatrixXd matrix_of(const Analysis& a, std::initializer_list<const char*> suffixes) {
+  const auto& actuators = a.machine().topology().actuators;
+  MatrixXd out = MatrixXd::Zero(a.samples(), static_cast<Index>(actuators.size()));
+  for (std::size_t i = 0; i < actuators.size(); ++i)
+    for (const char* suffix : suffixes)
+      out.col(static_cast<Index>(i)) += Eigen::Map<const Eigen::VectorXd>(a.column(actuators[i].name + suffix).data(), a.samples());
+  return out;
+}
+
+bool of_joint(const SpeedLimit& l) { return l.kind == Kind::joint_force || l.kind == Kind::joint_moment; }
+
+// All reactions in base axes, six numbers a joint, of the motion as it stands. A ball transmits no moment and has no columns of one.
+MatrixXd reactions_in_motion(const Analysis& a) {
+  const auto& joints = a.machine().topology().joints;
+  MatrixXd out = MatrixXd::Zero(a.samples(), 6 * static_cast<Index>(joints.size()));
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    for (int c = 0; c < 6; ++c)
+      if (const std::string name = mechanics::reaction_column(joints[j], c, true); a.has(name))
+        out.col(6 * static_cast<Index>(j) + c) = Eigen::Map<const Eigen::VectorXd>(a.column(name).data(), a.samples());
+  return out;
+}
+
+// The same poses under the same loads, without rates and accelerations.
+MatrixXd reactions_at_rest(const Analysis& a) {
+  const mechanics::Machine& machine = a.machine();
+  const scenario::Scenario& s = a.scenario();
+  const auto dof = static_cast<std::size_t>(machine.dof());
+  MatrixXd out = MatrixXd::Constant(a.samples(), 6 * static_cast<Index>(machine.topology().joints.size()), nan);
+  mechanics::InverseDynamics dynamics(machine);
+  mechanics::MotionReactions chunk;
+  constexpr int most = 256;
+  std::vector<int> poses;
+  for (int next = 0; next < a.samples();) {
+    poses.clear();
+    for (; next < a.samples() && static_cast<int>(poses.size()) < most; ++next)
+      if (a.condition(next) == Condition::good) poses.push_back(next);
+    const std::size_t count = poses.size();
+    if (count == 0) break;
+    std::vector<double> jets(3 * dof * count, 0.0), loads(6 * count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto sample = static_cast<std::size_t>(poses[k]);
+      for (std::size_t i = 0; i < dof; ++i) jets[3 * i * count + k] = s.motion.value(poses[k], static_cast<Index>(i));
+      for (std::size_t c = 0; c < 3; ++c) {
+        loads[c * count + k] = s.load.force[sample](static_cast<Index>(c));
+        loads[(c + 3) * count + k] = s.load.moment[sample](static_cast<Index>(c));
+      }
+    }
+    dynamics.solve(count, jets.data(), loads.data(), s.load.gravity, chunk);
+    for (Index column = 0; column < out.cols(); ++column)
+      for (std::size_t k = 0; k < count; ++k) out(poses[k], column) = chunk.joints[static_cast<std::size_t>(column) * count + k];
+  }
+  return out;
+}
+
+}  // namespace
+
+namespace {
+double step_of(double x) { return std::pow(10.0, std::floor(std::log10(x)) - 3); }
+constexpr double exact = 1e-9;  // of a step: a number that has four digits keeps them
+}  // namespace
+
+std::string speed_words(double scale) {
+  const double step = step_of(scale);
+  return format_number(std::floor(scale / step + exact) * step, 4);
+}
+
+std::string duration_words(double seconds) {
+  const double step = step_of(seconds);
+  return show(std::ceil(seconds / step - exact) * step, "s");
+}
+
+SpeedStudy::SpeedStudy(const Analysis& a) : a_(a) {
+  const mechanics::MotionLimits& limits = a.scenario().limits;
+  forces_.actuator_rest = matrix_of(a, {"_load_force", "_gravity_force"});
+  forces_.actuator_inertia = matrix_of(a, {"_inertia_force"});
+  forces_.actuator_rate = matrix_of(a, {"_rate"});
+  for (const auto* list : {&limits.joint_force, &limits.joint_moment})
+    if (std::any_of(list->begin(), list->end(), [](double x) { return std::isfinite(x); }) && forces_.joint_rest.size() == 0) {
+      forces_.joint_rest = reactions_at_rest(a);
+      forces_.joint_inertia = reactions_in_motion(a) - forces_.joint_rest;
+    }
+  feasible_ = feasible_speed(forces_, limits);
+}
+
+double SpeedStudy::duration(double scale) const { return (a_.time().back() - a_.time().front()) / scale; }
+
+std::vector<SpeedStudy::Own> SpeedStudy::own() const {
+  std::vector<Own> out;
+  for (std::size_t l = 0; l < feasible_.limits.size(); ++l) {
+    Own o{l, std::numeric_limits<double>::infinity(), -1};
+    const std::vector<double>& s = feasible_.limits[l].largest;
+    for (std::size_t k = 0; k < s.size(); ++k)
+      if (s[k] < o.scale) o.scale = s[k], o.sample = static_cast<int>(k);
+    out.push_back(o);
+  }
+  std::stable_sort(out.begin(), out.end(), [](const Own& x, const Own& y) { return x.scale < y.scale; });
+  return out;
+}
+
+std::string SpeedStudy::brief_subject(const SpeedLimit& l) const {
+  const Topology& t = a_.machine().topology();
+  const auto i = static_cast<std::size_t>(l.index);
+  if (of_joint(l)) return fmt::format("{} in joint {}", l.kind == Kind::joint_force ? "force" : "moment", t.joints[i].name);
+  const Actuator& x = t.actuators[i];
+  return fmt::format("{} of {}",
+                     l.kind == Kind::actuator_force   ? effort(x.unit)
+                     : l.kind == Kind::actuator_speed ? "speed"
+                                                      : "power",
+                     symbol(x.name));
+}
+
+std::string SpeedStudy::subject(const SpeedLimit& l) const {
+  if (of_joint(l)) return brief_subject(l);
+  return fmt::format("{} ({})", brief_subject(l), a_.machine().topology().actuators[static_cast<std::size_t>(l.index)].title);
+}
+
+std::string SpeedStudy::unit(const SpeedLimit& l) const {
+  const Topology& t = a_.machine().topology();
+  switch (l.kind) {
+    case Kind::actuator_force:
+      return effort_unit(t.actuators[static_cast<std::size_t>(l.index)].unit);
+    case Kind::actuator_speed:
+      return t.actuators[static_cast<std::size_t>(l.index)].unit + "/s";
+    case Kind::actuator_power:
+      return "W";
+    case Kind::joint_force:
+      return "N";
+    case Kind::joint_moment:
+      break;
+  }
+  return "N*m";
+}
+
+double SpeedStudy::bound(const SpeedLimit& l) const {
+  const mechanics::MotionLimits& limits = a_.scenario().limits;
+  const std::vector<double>* lists[] = {&limits.force, &limits.speed, &limits.power, &limits.joint_force, &limits.joint_moment};
+  return (*lists[static_cast<int>(l.kind)])[static_cast<std::size_t>(l.index)];
+}
+
+std::vector<double> SpeedStudy::demand(const SpeedLimit& l, double s) const {
+  std::vector<double> out;
+  for (Index k = 0; k < a_.samples(); ++k) {
+    if (of_joint(l)) {
+      const Index first = 6 * l.index + (l.kind == Kind::joint_force ? 0 : 3);
+      out.push_back((forces_.joint_rest.row(k).segment<3>(first) + s * s * forces_.joint_inertia.row(k).segment<3>(first)).norm());
+      continue;
+    }
+    const double rate = s * forces_.actuator_rate(k, l.index);
+    const double force = forces_.actuator_rest(k, l.index) + s * s * forces_.actuator_inertia(k, l.index);
+    out.push_back(l.kind == Kind::actuator_force ? force : l.kind == Kind::actuator_speed ? rate : force * rate);
+  }
+  return out;
+}
+
+double SpeedStudy::asked_anew(const SpeedLimit& l, int sample, double s) const {
+  const mechanics::Machine& machine = a_.machine();
+  const scenario::Scenario& scenario = a_.scenario();
+  const Eigen::VectorXd q = scenario.motion.value.row(sample), rate = s * scenario.motion.rate.row(sample),
+                        acceleration = s * s * scenario.motion.acceleration.row(sample);
+  mechanics::State state;
+  evaluate(machine, q.data(), rate.data(), acceleration.data(), state);
+  mechanics::Loading loading;
+  loading.platform << scenario.load.force[static_cast<std::size_t>(sample)], scenario.load.moment[static_cast<std::size_t>(sample)];
+  loading.gravity = scenario.load.gravity;
+  const auto i = static_cast<std::size_t>(l.index);
+  if (l.kind == Kind::actuator_speed) return std::abs(state.actuators[i].rate) / bound(l);
+  const auto r = dense_reactions(machine, state, generic_model(machine, state), mechanics::JointFrames(machine), loading, a_.length());
+  if (l.kind == Kind::joint_force) return r.joints[i].head<3>().norm() / bound(l);
+  if (l.kind == Kind::joint_moment) return r.joints[i].tail<3>().norm() / bound(l);
+  const double force = std::abs(r.actuator_forces(l.index));
+  return (l.kind == Kind::actuator_force ? force : force * std::abs(state.actuators[i].rate)) / bound(l);
+}
+
+std::vector<document::Evidence> SpeedStudy::evidence() const {
+  if (feasible_.limit < 0 || !(scale() > 0)) return {};
+  const auto asked = [&](std::size_t l, int sample) { return asked_anew(feasible_.limits[l], sample, scale()); };
+  double most = 0;
+  for (const Own& o : own())
+    if (o.sample >= 0) most = std::max(most, asked(o.limit, o.sample) - 1);
+  // Two ways through systems whose condition numbers stay below 1e5 leave ten digits.
+  constexpr double tolerance = 1e-9;
+  return {
+      {"The limit that binds is just met",
+       "the motion run that fast, by the system over all bodies with its rates and accelerations: what is asked there against the limit, "
+       "relative",
+       std::abs(asked(static_cast<std::size_t>(feasible_.limit), feasible_.sample) - 1), tolerance, ""},
+      {"Every limit is kept", "the same for each limit at the sample that is worst for it: largest excess, relative", most, tolerance, ""}};
+}
+
+}  // namespace pmreport::section

@@ -1,0 +1,46 @@
+// Section `statics`.
+#include <reports/section/common/plots.hpp>
+#include <reports/section/common/words.hpp>
+#include <reports/section/section.hpp>
+
+#include <fmt/core.h>
+
+namespace pmreport::section {
+
+using document::Paragraph;
+
+document::Section statics_section(const Analysis& a) {
+  document::Section s{"statics", "statics", "Statics", {}};
+  const Eigen::Vector3d& g = a.scenario().load.gravity;
+  for (const std::string& line : singularity_sentences(a)) s.blocks.push_back(Paragraph{Paragraph::Tone::warning, line});
+  s.blocks.push_back(Paragraph{
+      Paragraph::Tone::plain,
+      "Actuator forces and constraint wrenches that hold the platform against its load at rest, by virtual work: (F; Fτ) = −G⁻ᵀ(force; "
+      "moment). "
+      "A positive actuator force pushes: it acts to extend the actuator. A constraint wrench is what the limbs exert on the platform."});
+  s.blocks.push_back(Paragraph{Paragraph::Tone::plain,
+                               g.isZero() ? "The scenario gives no gravity: all bodies are taken as weightless."
+                                          : fmt::format("The weights of all bodies are included, gravity ({}, {}, {}) m/s². With heavy "
+                                                        "limbs the constraint wrench is the share of all that the "
+                                                        "limbs exert on the platform; it is no longer the force of a single joint.",
+                                                        format_number(g.x(), 4), format_number(g.y(), 4), format_number(g.z(), 4))});
+  figure::Figure f{"statics", "Actuator forces and constraint wrenches.", "data/statics.csv", figure::Width::full, 2, {}};
+  for (const auto& [name, title] : {std::pair<std::string, std::string>{"actuator_force", "actuator"}, {"constraint", "constraint"}})
+    for (const std::string unit : {"N", "N*m"}) {
+      const std::vector<Curve> curves = group(a, "statics", name, unit);
+      const std::string kind = unit == "N" ? "force" : "moment";
+      if (!curves.empty()) f.panels.push_back(panel(a, title + " " + kind, kind, unit, curves));
+    }
+  s.blocks.push_back(f);
+  s.blocks.push_back(extremes(a, "Extremes over the motion.", mechanics::columns_of("statics", a.machine().topology())));
+  s.blocks.push_back(
+      proof(a, {{Measure::statics, "Closed form equals the generic model",
+                 "actuator forces by G (and the weights by virtual work) against the equilibrium of every body, relative", 1e-8, ""},
+                {Measure::equilibrium, "Every body is in equilibrium",
+                 "largest unbalanced force or moment of the generic model, relative to the largest load", 1e-8, ""},
+                {Measure::power, "Virtual power balances", "power of actuators, load and weights over the motion, relative to the largest",
+                 1e-8, ""}}));
+  return s;
+}
+
+}  // namespace pmreport::section
