@@ -8,6 +8,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pmreport {
@@ -31,10 +32,16 @@ struct Range {
   double min, max;
 };
 
+// What a coordinate, an actuator or a wrench measures: "m" and "N" along a line, "rad" and "N*m" about one.
+enum class Sense { linear, rotary };
+constexpr Sense sense_of(std::string_view unit) { return unit == "rad" || unit == "N*m" ? Sense::rotary : Sense::linear; }
+
 struct Coordinate {               // independent coordinate of the platform
   std::string name, title, unit;  // unit: "m" or "rad"
   double home = 0;
   Range box{-0.1, 0.1};  // sane values around home, for random poses
+
+  Sense sense() const { return sense_of(unit); }
 
   static Coordinate around(double home, double half_box, std::string name, std::string title, std::string unit) {
     return {std::move(name), std::move(title), std::move(unit), home, {home - half_box, home + half_box}};
@@ -82,6 +89,8 @@ struct Actuator {
   std::string name, title, unit;  // "m" or "rad"
   int joint = 0;
   Range stroke{0, 0};
+
+  Sense sense() const { return sense_of(unit); }
 };
 
 struct Derived {
@@ -91,6 +100,8 @@ struct Derived {
 
 struct Constraint {               // constraint wrench of the limbs on the platform: a row of the overall Jacobian below the actuators
   std::string name, title, unit;  // "N" or "N*m"
+
+  Sense sense() const { return sense_of(unit); }
 };
 
 enum class Rates { coordinates = PM_COORDINATE_RATES, actuators = PM_ACTUATOR_RATES, twist = PM_TWIST, none = PM_NO_RATES };

@@ -1,3 +1,4 @@
+#include <core/mechanics/model/effort.hpp>
 #include <core/scenario/section/columns.hpp>
 
 #include <fmt/core.h>
@@ -29,7 +30,7 @@ void add_vector(std::vector<Column>& out, const std::string& name, const char* u
     out.push_back({name + "_" + axis, unit, name, fmt::format("{} of the platform, {}", words, axis)});
 }
 
-const char* force_unit(const Actuator& a) { return a.unit == "m" ? "N" : "N*m"; }
+const char* force_unit(const Actuator& a) { return unit_of_effort(a.sense()); }
 
 // One column an actuator: NAME_suffix.
 void add_forces(std::vector<Column>& out, const Topology& t, const std::string& suffix, const char* words) {
@@ -111,7 +112,7 @@ std::vector<Column> columns_of(std::string_view section, const Topology& t) {
     add_actuators(out, t, "_acceleration", "s^2", "acceleration of ");
   } else if (section == "statics") {
     for (const Actuator& a : t.actuators)
-      out.push_back({a.name + "_force", a.unit == "m" ? "N" : "N*m", "actuator_force", "force of actuator " + a.name});
+      out.push_back({a.name + "_force", force_unit(a), "actuator_force", "force of actuator " + a.name});
     for (const Constraint& c : t.constraints) out.push_back({c.name, c.unit, "constraint", c.title});
   } else if (section == "dynamics") {
     add_forces(out, t, "dynamic_force", "force");
@@ -130,7 +131,7 @@ std::vector<Column> columns_of(std::string_view section, const Topology& t) {
     add_of_actuators(out, t, "motor_speed", "rad/s", "motor speed");
     add_of_actuators(out, t, "motor_power", "W", "motor power");
     for (const Actuator& a : t.actuators)
-      out.push_back({a.name + "_reflected_inertia", a.unit == "m" ? "kg" : "kg*m^2", "reflected_inertia",
+      out.push_back({a.name + "_reflected_inertia", unit_of_inertia(a.sense()), "reflected_inertia",
                      fmt::format("inertia that {} feels, the other actuators held", a.name)});
   } else if (section == "reactions") {
     add_reactions(out, t);
