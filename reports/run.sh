@@ -19,9 +19,12 @@ folder=build/report
 
 # shellcheck disable=SC2086  # a list of words
 install_packages $program_packages
-# A first report should come soon: no builds of the plugins for newer processors. Where there are some, they are kept up to date.
+# A first report should come soon: the program and the plugin that the scenario uses, and no builds of it for newer processors. Where there
+# are some, they are kept up to date.
 [ -f build/build.ninja ] || cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DPMREPORT_TESTS=OFF -DPMREPORT_LEVELS=
-cmake --build build --parallel "$(nproc)" --target pmreport plugins/all
+mechanism=$(sed -n 's/^ *use *= *"\([a-z0-9-]*\)".*/\1/p' "$scenario" 2>/dev/null | head -n 1)
+if [ -f "plugins/$mechanism/mechanism.cpp" ]; then plugins=plugin-$mechanism; else plugins=plugins/all; fi
+cmake --build build --parallel "$(nproc)" --target pmreport "$plugins"
 
 build/bin/pmreport "$scenario" --out "$folder" && status=0 || status=$?
 [ ! -f "$folder/report.html" ] || echo "The report: $folder/report.html and $folder/report.pdf"

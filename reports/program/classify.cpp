@@ -1,5 +1,6 @@
+// `pmreport classify`: the class of parallel-cross mechanisms.
 #include <core/classification/classification.hpp>
-#include <reports/program/classify.hpp>
+#include <reports/program/commands.hpp>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -54,9 +55,7 @@ std::size_t six_chains() {
   return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [](const classification::Scheme& s) { return s.chains() == 6; }));
 }
 
-}  // namespace
-
-std::string classify_text() {
+std::string text() {
   const std::size_t rule = classification::admitted_schemes().size(), base = classification::base_schemes().size();
   std::string out = fmt::format(
       "Parallel-cross mechanisms\nsource: {}\n\n"
@@ -74,7 +73,7 @@ std::string classify_text() {
   return out;
 }
 
-std::string classify_json() {
+std::string json() {
   using Json = nlohmann::ordered_json;
   const auto pairs = [](const std::string& digits) {
     Json list = Json::array();
@@ -102,6 +101,13 @@ std::string classify_json() {
                                 {"corrected", c.corrected},
                                 {"why", c.why}});
   return j.dump(2) + "\n";
+}
+
+}  // namespace
+
+int classify(const Options& options) {
+  fmt::print("{}", options.json ? json() : text());
+  return all_well;
 }
 
 }  // namespace pmreport::program

@@ -1,6 +1,7 @@
 #include <core/mechanics/model/joint_words.hpp>
+#include <core/mechanics/model/machine.hpp>
 #include <core/text/units.hpp>
-#include <reports/program/describe.hpp>
+#include <reports/program/commands.hpp>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -34,9 +35,7 @@ std::string range_of(const ParameterInfo& p) {
   return out;
 }
 
-}  // namespace
-
-std::string describe_text(const Machine& m) {
+std::string text_of(const Machine& m) {
   const Topology& t = m.topology();
   std::string out = fmt::format("{}\n{}\nsource: {}\n\nindependent coordinates\n", m.info().name, m.info().title, m.info().source);
   for (const Coordinate& c : t.coordinates)
@@ -59,7 +58,7 @@ std::string describe_text(const Machine& m) {
   return out;
 }
 
-std::string describe_json(const Machine& m) {
+std::string json_of(const Machine& m) {
   using Json = nlohmann::ordered_json;
   const Topology& t = m.topology();
   Json j{{"schema_version", 1}, {"name", m.info().name}, {"title", m.info().title}, {"source", m.info().source}, {"dof", m.dof()}};
@@ -117,25 +116,15 @@ std::string describe_json(const Machine& m) {
   return j.dump(2) + "\n";
 }
 
-void print_verdict(const document::Report& report, const std::string& folder) {
-  int checks = 0, failed = 0, proofs = 0;
-  for (const document::Check& c : report.checks) {
-    ++checks;
-    if (c.passed) continue;
-    ++failed;
-    fmt::print("FAILED  {}: {}\n", c.name, c.message);
+}  // namespace
+
+int describe(const Options& options) {
+  const host::Catalog catalog(host::search_folders(options.plugin_path));
+  for (const pm_mechanism* m : mechanisms_named(catalog, options.names.front())) {
+    const Machine machine(*m, default_values(mechanics::describe(*m)));
+    fmt::print("{}", options.json ? json_of(machine) : text_of(machine));
   }
-  for (const document::Section& s : report.sections)
-    for (const document::Block& b : s.blocks)
-      if (const auto* p = std::get_if<document::Proof>(&b))
-        for (const document::Evidence& e : p->lines) {
-          ++proofs;
-          if (e.passed()) continue;
-          ++failed;
-          fmt::print("FAILED  {}: {}: {:.3g} exceeds {:.3g} ({})\n", s.title, e.claim, e.value, e.tolerance, e.how);
-        }
-  fmt::print("{}: {} checks, {} lines of evidence{}; {}/report.html\n", failed == 0 ? "passed" : "FAILED", checks, proofs,
-             failed > 0 ? fmt::format(", {} failed", failed) : "", folder);
+  return all_well;
 }
 
 }  // namespace pmreport::program

@@ -5,7 +5,6 @@
 #include <pmreport/plugin.h>
 #include <Eigen/Core>
 #include <memory>
-#include <pmreport/placement.hpp>
 #include <pmreport/topology.hpp>
 #include <span>
 #include <stdexcept>

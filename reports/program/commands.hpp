@@ -1,0 +1,27 @@
+// The commands, one a source. Each prints on standard output what it is asked for and gives the exit status; what goes wrong is thrown.
+#pragma once
+
+#include <core/host/catalog.hpp>
+#include <reports/program/command_line.hpp>
+
+#include <string>
+#include <vector>
+
+namespace pmreport::program {
+
+// pmreport SCENARIO: reads it, makes the report and writes it. `stop`: asked again and again, whether to give up; throws
+// document::Interrupted then, and leaves an earlier report as it was.
+int report(const Options& options, bool (*stop)());
+int list(const Options& options);
+int describe(const Options& options);
+int check(const Options& options);
+int new_mechanism(const Options& options);
+int classify(const Options& options);
+
+// Warns of plugins that were found and refused.
+void tell_refused(const host::Catalog& catalog);
+
+// A mechanism by its name, or those of a library file given by its path. Throws host::PluginError when there is none.
+std::vector<const pm_mechanism*> mechanisms_named(const host::Catalog& catalog, const std::string& name);
+
+}  // namespace pmreport::program

@@ -1,0 +1,74 @@
+#include <core/scenario/scenario.hpp>
+#include <reports/document/report.hpp>
+#include <reports/program/commands.hpp>
+#include <reports/program/terminal.hpp>
+#include <reports/section/section.hpp>
+
+#include <fmt/core.h>
+
+#include <filesystem>
+
+namespace pmreport::program {
+
+namespace {
+
+scenario::MechanismSource source_of(const host::Catalog& catalog) {
+  scenario::MechanismSource source;
+  source.find = [&catalog](const std::string& name) {
+    const host::Entry* entry = catalog.find(name);
+    return entry != nullptr ? entry->mechanism : nullptr;
+  };
+  for (const host::Entry& e : catalog.entries()) source.names.push_back(e.name);
+  return source;
+}
+
+// Verdict, failures, and where the report is.
+void print_verdict(const document::Report& report, const std::string& folder) {
+  int checks = 0, failed = 0, proofs = 0;
+  for (const document::Check& c : report.checks) {
+    ++checks;
+    if (c.passed) continue;
+    ++failed;
+    fmt::print("FAILED  {}: {}\n", c.name, c.message);
+  }
+  for (const document::Section& s : report.sections)
+    for (const document::Block& b : s.blocks)
+      if (const auto* p = std::get_if<document::Proof>(&b))
+        for (const document::Evidence& e : p->lines) {
+          ++proofs;
+          if (e.passed()) continue;
+          ++failed;
+          fmt::print("FAILED  {}: {}: {:.3g} exceeds {:.3g} ({})\n", s.title, e.claim, e.value, e.tolerance, e.how);
+        }
+  fmt::print("{}: {} checks, {} lines of evidence{}; {}/report.html\n", failed == 0 ? "passed" : "FAILED", checks, proofs,
+             failed > 0 ? fmt::format(", {} failed", failed) : "", folder);
+}
+
+}  // namespace
+
+int report(const Options& options, bool (*stop)()) {
+  const host::Catalog catalog(host::search_folders(options.plugin_path));
+  tell_refused(catalog);
+  const scenario::Loaded loaded = scenario::load(options.scenario, source_of(catalog));
+  if (options.check_only) {
+    if (!options.quiet)
+      fmt::print("{}: valid, {} samples, {} sections\n", options.scenario, loaded.scenario.motion.time.size(),
+                 loaded.scenario.sections.size());
+    return all_well;
+  }
+  Terminal terminal(options.quiet);
+  const section::Progress progress{[&](const std::string& what) { terminal.say(what); },
+                                   [&] {
+                                     if (stop()) throw document::Interrupted("interrupted");
+                                   }};
+  const document::Report report =
+      section::make_report(loaded.scenario, *loaded.machine, PMREPORT_VERSION, catalog.find(loaded.scenario.mechanism)->build, progress);
+  const std::string folder = options.out.empty() ? std::filesystem::path(options.scenario).stem().string() + "-report" : options.out;
+  terminal.say("writing " + folder);
+  document::write(report, folder, stop);
+  terminal.clear();
+  if (!options.quiet) print_verdict(report, folder);
+  return report.passed() ? all_well : gate_failed;
+}
+
+}  // namespace pmreport::program

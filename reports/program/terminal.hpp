@@ -1,0 +1,29 @@
+// Words for whoever started the program, on standard error.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+
+namespace pmreport::program {
+
+// Where nobody can be told the exit status still speaks.
+template <class... T>
+void tell(fmt::format_string<T...> format, T&&... values) {
+  std::fputs(fmt::format(format, std::forward<T>(values)...).c_str(), stderr);
+}
+
+// One line on a terminal, overwritten; nothing in a pipe or a log.
+class Terminal {
+ public:
+  explicit Terminal(bool quiet);
+  ~Terminal() { clear(); }
+  void say(const std::string& what);
+  void clear();
+
+ private:
+  bool live_ = false, used_ = false;
+};
+
+}  // namespace pmreport::program
