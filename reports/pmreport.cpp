@@ -1,7 +1,7 @@
 // The program: what the user typed goes to its command, and what a command throws becomes a sentence and the exit status.
 #include <core/mechanics/model/machine.hpp>
 #include <core/scenario/scenario.hpp>
-#include <reports/document/report.hpp>
+#include <reports/document/write.hpp>
 #include <reports/program/commands.hpp>
 #include <reports/program/scaffold.hpp>
 #include <reports/program/terminal.hpp>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/dll/shared_library.hpp>
 #include <core/host/library_file.hpp>
+#include <core/host/plugin_file.hpp>
 #include <core/host/plugin_table.hpp>
 #include <core/host/processor.hpp>
 #include <core/host/refusal.hpp>

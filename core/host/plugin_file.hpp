@@ -3,18 +3,12 @@
 
 #include <pmreport/plugin.h>
 
+#include <core/host/refusal.hpp>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace pmreport::host {
-
-// A library that cannot be used: the sentence has its path, what was expected and what was seen.
-class PluginError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 struct PluginFile {
   std::filesystem::path path;  // as asked for

@@ -97,23 +97,4 @@ struct Report {
   bool passed() const;  // every check and every line of evidence
 };
 
-std::string to_html(const Report& r);  // one file, no network, no script needed; readable at phone width
-std::string to_pdf(const Report& r);   // A4: title, contents, sections, vector figures, page numbers, outline, links
-std::string to_csv(const Data& d);     // fields as in RFC 4180, lines end in LF; '.' decimal, shortest digits that read back the same
-std::string to_json(const Report& r);  // results.json
-std::string to_junit(const Report& r);
-
-// Writes everything below `folder`: made whole beside it, then renamed, so that a report is the old one or the new one, never half.
-// Replaces an empty folder or an earlier report; a folder that holds anything else is refused. Throws OutputError, or Interrupted once
-// `interrupted`, asked between files by the calling thread, says so; the old report is untouched then and nothing temporary is left.
-class OutputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-class Interrupted : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-void write(const Report& r, const std::string& folder, bool (*interrupted)() = nullptr);
-
 }  // namespace pmreport::document

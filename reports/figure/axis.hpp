@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/figure/figure.hpp"
+#include <reports/figure/figure.hpp>
 
 namespace pmreport::figure {
 
@@ -40,5 +40,8 @@ struct Interval {
   double low, high;
 };
 Interval widened(Interval interval);
+
+// Round tick values covering [low, high]: steps of 1, 2, 2.5 or 5 times a power of ten, about `wanted` of them.
+std::vector<double> ticks(double low, double high, int wanted);
 
 }  // namespace pmreport::figure

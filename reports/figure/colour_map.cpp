@@ -1,4 +1,4 @@
-#include "reports/figure/colour_map.hpp"
+#include <reports/figure/colour_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,9 @@
 #include <numbers>
 #include <optional>
 
-#include "reports/figure/layout.hpp"
-#include "reports/figure/surface.hpp"
-#include "reports/figure/text.hpp"
+#include <reports/figure/layout.hpp>
+#include <reports/figure/surface.hpp>
+#include <reports/figure/text.hpp>
 
 namespace pmreport::figure {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <vector>
 
-#include "reports/figure/axis.hpp"
-#include "reports/figure/curve.hpp"
-#include "reports/figure/figure.hpp"
-#include "reports/figure/palette.hpp"
+#include <reports/figure/axis.hpp>
+#include <reports/figure/curve.hpp>
+#include <reports/figure/figure.hpp>
+#include <reports/figure/palette.hpp>
 
 namespace pmreport::figure {
 

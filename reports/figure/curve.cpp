@@ -1,4 +1,4 @@
-#include "reports/figure/curve.hpp"
+#include <reports/figure/curve.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "reports/figure/embedding.hpp"
+#include <reports/figure/embedding.hpp>
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "reports/figure/text.hpp"
+#include <reports/figure/text.hpp>
 
 namespace pmreport::figure {
 namespace {

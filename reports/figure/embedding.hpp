@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "reports/figure/figure.hpp"
+#include <reports/figure/draw.hpp>
 
 namespace pmreport::figure {
 

@@ -1,7 +1,6 @@
-// A plot figure: panels of curves over a common kind of axis. Data come in display units (the caller has scaled them); NaN is a gap.
+// A plot figure as data: panels of curves over a common kind of axis. Data come in display units (the caller has scaled them); NaN is a
+// gap.
 #pragma once
-
-#include <cairo.h>
 
 #include <optional>
 #include <string>
@@ -58,20 +57,5 @@ struct Figure {
   int columns = 2;  // panels side by side at full width
   std::vector<Panel> panels;
 };
-
-struct Size {
-  double width, height;  // [pt]
-};
-Size size_of(const Figure& f);
-
-// Draws into `cr` at the origin, size_of(f) large, as vectors and text.
-void draw(cairo_t* cr, const Figure& f);
-
-std::string to_pdf(const Figure& f);  // one page, fonts embedded; same bytes every time
-std::string to_svg(
-    const Figure& f);  // text as glyph outlines, so that it looks alike everywhere; ids prefixed by f.id: several fit one HTML
-
-// Round tick values covering [low, high]: steps of 1, 2, 2.5 or 5 times a power of ten, about `wanted` of them.
-std::vector<double> ticks(double low, double high, int wanted);
 
 }  // namespace pmreport::figure

@@ -1,10 +1,10 @@
-#include "reports/figure/layout.hpp"
+#include <reports/figure/layout.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "reports/figure/palette.hpp"
-#include "reports/figure/text.hpp"
+#include <reports/figure/palette.hpp>
+#include <reports/figure/text.hpp>
 
 namespace pmreport::figure {
 namespace {

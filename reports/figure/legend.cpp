@@ -1,13 +1,13 @@
-#include "reports/figure/legend.hpp"
+#include <reports/figure/legend.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "reports/figure/colour_map.hpp"
-#include "reports/figure/palette.hpp"
-#include "reports/figure/shading.hpp"
-#include "reports/figure/text.hpp"
+#include <reports/figure/colour_map.hpp>
+#include <reports/figure/palette.hpp>
+#include <reports/figure/shading.hpp>
+#include <reports/figure/text.hpp>
 
 namespace pmreport::figure {
 namespace {

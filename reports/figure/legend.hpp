@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/figure/figure.hpp"
-#include "reports/figure/occupancy.hpp"
+#include <reports/figure/figure.hpp>
+#include <reports/figure/occupancy.hpp>
 
 namespace pmreport::figure {
 

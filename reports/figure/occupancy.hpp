@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "reports/figure/geometry.hpp"
+#include <reports/figure/geometry.hpp>
 
 namespace pmreport::figure {
 

@@ -1,4 +1,4 @@
-#include "reports/figure/palette.hpp"
+#include <reports/figure/palette.hpp>
 
 #include <array>
 #include <cstddef>

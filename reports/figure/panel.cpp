@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "reports/figure/layout.hpp"
-#include "reports/figure/palette.hpp"
-#include "reports/figure/shading.hpp"
-#include "reports/figure/text.hpp"
+#include <reports/figure/layout.hpp>
+#include <reports/figure/palette.hpp>
+#include <reports/figure/shading.hpp>
+#include <reports/figure/text.hpp>
 
 namespace pmreport::figure {
 namespace {

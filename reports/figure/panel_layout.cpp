@@ -4,11 +4,11 @@
 #include <cmath>
 #include <optional>
 
-#include "reports/figure/layout.hpp"
-#include "reports/figure/palette.hpp"
-#include "reports/figure/range.hpp"
-#include "reports/figure/shading.hpp"
-#include "reports/figure/text.hpp"
+#include <reports/figure/layout.hpp>
+#include <reports/figure/palette.hpp>
+#include <reports/figure/range.hpp>
+#include <reports/figure/shading.hpp>
+#include <reports/figure/text.hpp>
 
 namespace pmreport::figure {
 namespace {

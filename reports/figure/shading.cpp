@@ -1,9 +1,9 @@
-#include "reports/figure/shading.hpp"
+#include <reports/figure/shading.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include "reports/figure/palette.hpp"
+#include <reports/figure/palette.hpp>
 
 namespace pmreport::figure {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <vector>
 
-#include "reports/figure/curve.hpp"
-#include "reports/figure/figure.hpp"
-#include "reports/figure/geometry.hpp"
+#include <reports/figure/curve.hpp>
+#include <reports/figure/figure.hpp>
+#include <reports/figure/geometry.hpp>
 
 namespace pmreport::figure {
 

@@ -1,4 +1,5 @@
-#include "reports/figure/surface.hpp"
+#include <reports/figure/draw.hpp>
+#include <reports/figure/surface.hpp>
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
@@ -6,8 +7,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "reports/figure/embedding.hpp"
-#include "reports/figure/layout.hpp"
+#include <reports/figure/embedding.hpp>
+#include <reports/figure/layout.hpp>
 
 namespace pmreport::figure {
 namespace {

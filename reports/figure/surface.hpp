@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "reports/figure/figure.hpp"
+#include <reports/figure/draw.hpp>
 
 namespace pmreport::figure {
 

@@ -1,4 +1,4 @@
-#include "reports/figure/text.hpp"
+#include <reports/figure/text.hpp>
 
 #include <stdexcept>
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <core/host/catalog.hpp>
+#include <reports/document/write.hpp>
 #include <reports/program/command_line.hpp>
 
 #include <string>

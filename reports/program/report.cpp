@@ -1,5 +1,5 @@
 #include <core/scenario/scenario.hpp>
-#include <reports/document/report.hpp>
+#include <reports/document/write.hpp>
 #include <reports/program/commands.hpp>
 #include <reports/program/terminal.hpp>
 #include <reports/section/section.hpp>

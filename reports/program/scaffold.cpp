@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <reports/document/file.hpp>
-#include <reports/document/report.hpp>
+#include <reports/document/folder/file.hpp>
+#include <reports/document/write.hpp>
 #include <reports/program/scaffold_text.hpp>
 
 namespace pmreport::program {

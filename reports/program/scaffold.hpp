@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <reports/document/write.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>

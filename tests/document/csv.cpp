@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <reports/document/write.hpp>
 
 #include <tests/document/sample.hpp>
 

@@ -3,7 +3,8 @@
 #include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <reports/document/results.hpp>
+#include <reports/document/data/results.hpp>
+#include <reports/document/write.hpp>
 
 #include <tests/document/sample.hpp>
 

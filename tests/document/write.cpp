@@ -7,7 +7,8 @@
 #include <cerrno>
 #include <nlohmann/json.hpp>
 #include <regex>
-#include <reports/document/staged_folder.hpp>
+#include <reports/document/folder/staged_folder.hpp>
+#include <reports/document/write.hpp>
 #include <set>
 
 #include <tests/document/sample.hpp>

@@ -1,4 +1,5 @@
 #include "reports/figure/colour_map.hpp"
+#include <reports/figure/draw.hpp>
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,5 @@
 #include <unistd.h>
+#include <reports/figure/draw.hpp>
 
 #include <array>
 #include <catch2/catch.hpp>

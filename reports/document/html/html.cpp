@@ -1,5 +1,6 @@
 // The frame of report.html: head, title, contents, verdict, checks, sections, scenario, provenance.
 #include <fmt/format.h>
+#include <reports/document/write.hpp>
 
 #include <algorithm>
 #include <reports/document/html/html_page.hpp>

@@ -3,6 +3,7 @@
 
 #include <reports/document/html/html_writer.hpp>
 #include <reports/document/names.hpp>
+#include <reports/document/write.hpp>
 
 namespace pmreport::document {
 

@@ -3,6 +3,7 @@
 #include <reports/document/pdf/pdf_date.hpp>
 #include <reports/document/pdf/pdf_front.hpp>
 #include <reports/document/pdf/pdf_link.hpp>
+#include <reports/document/write.hpp>
 
 #include <cairo-pdf.h>
 #include <fmt/format.h>

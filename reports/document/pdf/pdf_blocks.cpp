@@ -1,5 +1,6 @@
 #include <reports/document/pdf/pdf_blocks.hpp>
 #include <reports/document/pdf/pdf_link.hpp>
+#include <reports/figure/draw.hpp>
 
 #include <fmt/format.h>
 

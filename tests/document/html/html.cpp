@@ -4,6 +4,7 @@
 #include <limits>
 #include <regex>
 #include <reports/document/html/html_page.hpp>
+#include <reports/document/write.hpp>
 #include <set>
 
 #include <tests/document/sample.hpp>

@@ -1,4 +1,5 @@
 // report.pdf as other programs read it: qpdf and poppler are the oracles.
+#include <reports/document/write.hpp>
 #include <tests/document/pdf/pdf_sample.hpp>
 #include <tests/document/pdf/pdf_tools.hpp>
 #include <tests/document/sample.hpp>

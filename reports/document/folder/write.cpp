@@ -1,6 +1,7 @@
-#include <reports/document/artwork.hpp>
+#include <reports/document/folder/artwork.hpp>
+#include <reports/document/folder/staged_folder.hpp>
 #include <reports/document/html/html_page.hpp>
-#include <reports/document/staged_folder.hpp>
+#include <reports/document/write.hpp>
 
 namespace pmreport::document {
 

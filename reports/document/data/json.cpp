@@ -1,8 +1,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <reports/document/data/results.hpp>
 #include <reports/document/names.hpp>
-#include <reports/document/results.hpp>
 #include <reports/document/tally.hpp>
+#include <reports/document/write.hpp>
 
 namespace pmreport::document {
 

@@ -1,7 +1,7 @@
 #include <charconv>
 #include <cmath>
-#include <reports/document/report.hpp>
 #include <reports/document/text.hpp>
+#include <reports/document/write.hpp>
 
 namespace pmreport::document {
 

@@ -6,9 +6,9 @@
 #include <cerrno>
 #include <fstream>
 #include <iterator>
-#include <reports/document/report.hpp>
-#include <reports/document/results.hpp>
-#include <reports/document/staged_folder.hpp>
+#include <reports/document/data/results.hpp>
+#include <reports/document/folder/staged_folder.hpp>
+#include <reports/document/write.hpp>
 
 namespace pmreport::document {
 

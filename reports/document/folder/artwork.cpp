@@ -2,7 +2,9 @@
 #include <atomic>
 #include <functional>
 #include <future>
-#include <reports/document/artwork.hpp>
+#include <reports/document/folder/artwork.hpp>
+#include <reports/document/write.hpp>
+#include <reports/figure/draw.hpp>
 #include <thread>
 
 namespace pmreport::document {

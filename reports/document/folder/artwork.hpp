@@ -2,6 +2,7 @@
 #pragma once
 
 #include <reports/document/names.hpp>
+#include <reports/document/write.hpp>
 
 namespace pmreport::document {
 

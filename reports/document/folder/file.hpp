@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <reports/document/write.hpp>
 #include <string_view>
 #include <utility>
 

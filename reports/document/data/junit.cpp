@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <reports/document/write.hpp>
 
 #include <cmath>
 #include <reports/document/names.hpp>

@@ -1,7 +1,8 @@
 // A folder that is replaced as a whole or not at all.
 #pragma once
 
-#include <reports/document/folder_lock.hpp>
+#include <reports/document/folder/folder_lock.hpp>
+#include <reports/document/write.hpp>
 
 #include <filesystem>
 #include <string>

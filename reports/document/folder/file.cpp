@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <reports/document/file.hpp>
-#include <reports/document/report.hpp>
+#include <reports/document/folder/file.hpp>
+#include <reports/document/write.hpp>
 #include <system_error>
 
 namespace pmreport::document {

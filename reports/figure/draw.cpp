@@ -1,7 +1,7 @@
-#include "reports/figure/figure.hpp"
+#include <reports/figure/draw.hpp>
 
-#include "reports/figure/layout.hpp"
-#include "reports/figure/surface.hpp"
+#include <reports/figure/layout.hpp>
+#include <reports/figure/surface.hpp>
 
 namespace pmreport::figure {
 

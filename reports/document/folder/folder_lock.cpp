@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <reports/document/folder_lock.hpp>
-#include <reports/document/report.hpp>
+#include <reports/document/folder/folder_lock.hpp>
+#include <reports/document/write.hpp>
 
 namespace pmreport::document {
 

@@ -1,7 +1,8 @@
 // One writer a folder.
 #pragma once
 
-#include <reports/document/file.hpp>
+#include <reports/document/folder/file.hpp>
+#include <reports/document/write.hpp>
 
 #include <filesystem>
 

@@ -1,0 +1,110 @@
+// The plan of the house, held by what its files include: no two of them know each other, and arrows between rooms never run back.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Arrows = std::map<std::string, std::set<std::string>>;
+
+// Of every source below core and reports, with its header as one, what it includes of them: "core/text/units" -> ...
+Arrows arrows_between_files() {
+  static const std::regex include("#include [<\"]((core|reports|pmreport)/[^>\"]+)\\.h(pp)?[>\"]");
+  Arrows out;
+  for (const char* root : {"core", "reports"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(SOURCE) / root)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension != ".cpp" && extension != ".hpp" && extension != ".h") continue;
+      const std::string from = fs::relative(entry.path(), SOURCE).replace_extension().string();
+      std::ifstream file(entry.path());
+      std::stringstream text;
+      text << file.rdbuf();
+      const std::string source = text.str();
+      out[from];
+      for (std::sregex_iterator i(source.begin(), source.end(), include), end; i != end; ++i) {
+        const std::string to = ((*i)[2] == "pmreport" ? "core/" : "") + (*i)[1].str();
+        if (to != from) out[from].insert(to);
+      }
+    }
+  return out;
+}
+
+Arrows arrows_between(const Arrows& files, const std::function<std::string(const std::string&)>& room_of) {
+  Arrows out;
+  for (const auto& [from, all] : files)
+    for (const std::string& to : all)
+      if (room_of(from) != room_of(to)) out[room_of(from)].insert(room_of(to));
+  return out;
+}
+
+// A way along the arrows that comes back to where it began, "a -> b -> a"; empty: there is none.
+std::string circle(const Arrows& arrows) {
+  std::set<std::string> done;
+  std::vector<std::string> way;
+  std::string found;
+  const std::function<void(const std::string&)> follow = [&](const std::string& at) {
+    if (!found.empty() || done.contains(at)) return;
+    if (const auto before = std::find(way.begin(), way.end(), at); before != way.end()) {
+      for (auto i = before; i != way.end(); ++i) found += *i + " -> ";
+      found += at;
+      return;
+    }
+    way.push_back(at);
+    if (const auto next = arrows.find(at); next != arrows.end())
+      for (const std::string& to : next->second) follow(to);
+    way.pop_back();
+    done.insert(at);
+  };
+  for (const auto& [from, to] : arrows) follow(from);
+  return found;
+}
+
+std::string folder_of(const std::string& file) { return fs::path(file).parent_path().string(); }
+
+}  // namespace
+
+TEST_CASE("a way that comes back is found") {
+  CHECK(circle({{"a", {"b"}}, {"b", {"c"}}, {"c", {"d"}}}).empty());
+  CHECK(circle({{"a", {"b"}}, {"b", {"c", "d"}}, {"d", {"b"}}}) == "b -> d -> b");
+}
+
+TEST_CASE("no two files know each other, straight or round about") {
+  const Arrows files = arrows_between_files();
+  REQUIRE(files.size() > 150);
+  CHECK(circle(files) == "");
+}
+
+TEST_CASE("arrows between folders run one way") { CHECK(circle(arrows_between(arrows_between_files(), folder_of)) == ""); }
+
+TEST_CASE("core knows nothing of reports, mechanics nothing of scenarios, the SDK nothing but itself") {
+  for (const auto& [from, all] : arrows_between_files())
+    for (const std::string& to : all) {
+      CAPTURE(from, to);
+      if (from.starts_with("core/")) CHECK_FALSE(to.starts_with("reports/"));
+      if (from.starts_with("core/pmreport/")) CHECK(to.starts_with("core/pmreport/"));
+      if (from.starts_with("core/mechanics/") || from.starts_with("core/linear/") || from.starts_with("core/text/"))
+        CHECK_FALSE((to.starts_with("core/scenario/") || to.starts_with("core/analysis/") || to.starts_with("core/host/")));
+      if (from.starts_with("core/scenario/")) CHECK_FALSE(to.starts_with("core/analysis/"));
+      if (from.starts_with("reports/figure/")) CHECK_FALSE((to.starts_with("reports/") && !to.starts_with("reports/figure/")));
+      if (from.starts_with("reports/document/")) CHECK_FALSE((to.starts_with("reports/section/") || to.starts_with("core/mechanics/")));
+    }
+}
+
+TEST_CASE("no folder holds more than a person keeps in mind") {
+  std::map<std::string, int> sources;
+  for (const auto& [file, all] : arrows_between_files()) ++sources[folder_of(file)];
+  for (const auto& [folder, count] : sources) {
+    CAPTURE(folder);
+    CHECK(count <= 20);
+  }
+}
