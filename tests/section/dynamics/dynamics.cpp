@@ -7,6 +7,7 @@
 #include <reports/section/dynamics/dynamics_words.hpp>
 #include <reports/section/section.hpp>
 #include <tests/scenario/trial.hpp>
+#include <tests/section/report_words.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -93,27 +94,7 @@ scenario::SectionRequest request(const std::vector<double>& equations = {}) {
   return r;
 }
 
-double value(const section::Result& r, const std::string& name) {
-  for (const document::Value& v : r.values)
-    if (v.name == name) return v.value;
-  FAIL("no value " << name);
-  return 0;
-}
-
-template <class T>
-std::vector<T> blocks(const document::Section& s) {
-  std::vector<T> out;
-  for (const document::Block& b : s.blocks)
-    if (const T* found = std::get_if<T>(&b)) out.push_back(*found);
-  return out;
-}
-
-bool proved(const document::Section& s) {
-  for (const document::Proof& p : blocks<document::Proof>(s))
-    for (const document::Evidence& e : p.lines)
-      if (!e.passed()) return false;
-  return true;
-}
+using report_words::blocks, report_words::proved, report_words::value;
 
 }  // namespace
 
