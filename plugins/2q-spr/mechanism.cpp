@@ -85,10 +85,9 @@ class TwoQSpr : public Mechanism<5> {
     at.derived(0, y);
     for (const Planar limb : planar) place_planar<T>(limb, p + r * platform_[std::size_t(limb.i)], nz, at);
 
-    const Line<T> line(base_[2].cast<T>(), p + r * platform_[2]);
-    place_leg(at, spr, line, f3);
-    at.joint(spr.low, line.from);
-    at.joint(spr.high, line.to, f3);
+    const Vector3<T> low = base_[2].cast<T>(), high = p + r * platform_[2];
+    place_rod<T>(spr, low, high, f3, at);
+    at.joint(spr.low, low);
   }
 
   // Eq. (2), R = Rz(alpha) Ry(beta) Rz(gamma). At home, beta = 0, only alpha + gamma is defined: no rates, hence readings.
@@ -148,12 +147,25 @@ class TwoQSpr : public Mechanism<5> {
     at.joint(limb.r5, b, mu);
     at.joint(limb.r4, b, nz);
     for (int j = 0; j < 2; ++j) {
-      const Leg rod = limb.rod(j);
-      const Line<T> line(foot + n * (end_sign[j] * lower_), b + mu * (end_sign[j] * upper_));  // Eq. (8)
-      place_leg(at, rod, line, normal);
-      at.joint(rod.low, line.from, normal);
-      at.joint(rod.high, line.to, normal);
+      const Vector3<T> low = foot + n * (end_sign[j] * lower_), high = b + mu * (end_sign[j] * upper_);
+      place_rod<T>(limb.rod(j), low, high, normal, at);
+      at.joint(limb.rod(j).low, low, normal);
     }
+  }
+
+  // A driven rod from `low` to `high`, Eq. (8). Its upper hinge lies along `x`, which it is perpendicular to. (By place_leg partial
+  // derivatives of this mechanism cost a seventh more.)
+  template <class T>
+  void place_rod(const Leg& rod, const Vector3<T>& low, const Vector3<T>& high, const Vector3<T>& x, Placement<T>& at) const {
+    const Vector3<T> along = high - low;
+    const T l = length(along);
+    const Vector3<T> delta = along * T(1.0 / l);
+    const Matrix3<T> turned = frame_xz(x, delta);
+    at.body(rod.cylinder, low, turned);
+    at.body(rod.piston, high, turned);
+    at.joint(rod.slide, high, delta);
+    at.joint(rod.high, high, x);
+    at.actuator(rod.drive, l);
   }
 
   Topology describe(const Parameters& p) const;

@@ -70,12 +70,26 @@ class FourSpsSpr : public Mechanism<5> {
 
     at.body(platform, p, r);
     at.derived(0, pose[std::size_t(dependent_)]);
-    const auto line = [&](std::size_t i) { return Line<T>(a_[i].cast<T>(), p + r * b_[i]); };  // Eqs. (4), (5)
-    for (std::size_t i = 0; i < 4; ++i) place_sps(at, limbs[i], line(i));
-    const Line<T> line5 = line(4);
-    place_leg(at, spr, line5, n6);  // the revolute joint lets limb 5 spin with the platform only
-    at.joint(spr.low, line5.from);
-    at.joint(spr.high, line5.to, n6);
+    // By place_sps and place_leg this would be five lines, and partial derivatives cost half as much again: two bodies of code to inline.
+    for (const Leg& limb : limbs) {
+      const auto a = a_[std::size_t(limb.drive)].cast<T>().eval();
+      const Vector3<T> b = p + r * b_[std::size_t(limb.drive)], along = b - a;  // Eq. (4)
+      const T l = length(along);
+      const Vector3<T> n = along * T(1.0 / l);  // Eq. (5)
+      at.joint(limb.low, a);
+      at.joint(limb.slide, b, n);
+      at.actuator(limb.drive, l);
+      if (limb.drive != spr.drive) {
+        at.slender(limb.cylinder, a, n);
+        at.slender(limb.piston, b, n);
+        at.joint(limb.high, b);
+      } else {  // the revolute joint lets limb 5 spin with the platform only
+        const Matrix3<T> turned = frame_xz(n6, n);
+        at.body(limb.cylinder, a, turned);
+        at.body(limb.piston, b, turned);
+        at.joint(limb.high, b, n6);
+      }
+    }
   }
 
   // Eq. (10): an actuator's force acts along n_i through B_i; the constraint force along n6 through A_5, where the joint S cannot give way.
