@@ -9,6 +9,7 @@
 #include <core/scenario/scenario.hpp>
 #include <pmreport/mechanism.hpp>
 #include <reports/section/section.hpp>
+#include <tests/scenario/only.hpp>
 #include <tests/section/report_words.hpp>
 
 #include <string>
@@ -53,9 +54,7 @@ class Gantry : public Mechanism<1> {
   }
 };
 
-inline scenario::MechanismSource source() {
-  return {[](const std::string& name) { return name == "gantry" ? &contract::mechanism<Gantry> : nullptr; }, {"gantry"}};
-}
+inline scenario::MechanismSource source() { return test::only<Gantry>(); }
 
 // x = 50 mm sin(pi t / s) over 2 s in steps of 0.1 s: the largest acceleration, 0.05 pi^2 m/s^2, at 0.5 and 1.5 s.
 struct Run {

@@ -62,9 +62,7 @@ class Lever : public Mechanism<1> {
   }
 };
 
-scenario::MechanismSource source() {
-  return {[](const std::string& name) { return name == "lever" ? &contract::mechanism<Lever> : nullptr; }, {"lever"}};
-}
+scenario::MechanismSource source() { return test::only<Lever>(); }
 
 // From 40 degrees up to 50, down to 30 at 1.5 s, and back.
 struct Run {

@@ -5,6 +5,7 @@
 #include <reports/section/common/words.hpp>
 #include <reports/section/section.hpp>
 #include <reports/section/singularity/singularity.hpp>
+#include <tests/scenario/only.hpp>
 #include <tests/scenario/trial.hpp>
 #include <tests/section/report_words.hpp>
 
@@ -60,9 +61,7 @@ class Sleigh : public Mechanism<1> {
   }
 };
 
-scenario::MechanismSource source() {
-  return {[](const std::string& name) { return name == "sleigh" ? &contract::mechanism<Sleigh> : nullptr; }, {"sleigh"}};
-}
+scenario::MechanismSource source() { return test::only<Sleigh>(); }
 
 struct Run {
   explicit Run(const std::string& x)
