@@ -1,41 +1,120 @@
-// What the author of a mechanism derives from, and the macro that exports it.
+// What the author of a mechanism includes. This is the guide: read it from here to `#pragma once`, and write a plugin.
 //
-//   class MyMechanism : public pmreport::Mechanism<5> {                       // 5 degrees of freedom
+// A mechanism is one class. It says what is connected to what, where everything is, and what carries the load; nobody differentiates.
+// A whole one: a table carried by six telescopic legs, each between a Cardan joint on the base and a ball on the table.
+//
+//   #include <pmreport/free_platform.hpp>
+//   #include <pmreport/leg.hpp>
+//   #include <pmreport/mechanism.hpp>
+//
+//   using namespace pmreport;
+//   using Eigen::Vector3d;
+//
+//   class Table : public Mechanism<6> {                                       // degrees of freedom
 //    public:
-//     static constexpr const char *name = "my-mechanism", *title = "...", *source = "...";
-//     static constexpr pmreport::Parameter parameters[] = {...};
-//     explicit MyMechanism(const pmreport::Parameters&);                       // throw std::invalid_argument with a sentence for the user
-//     pmreport::Topology topology() const;                                     // what is connected to what
-//     template <class T> void place(const Coordinates<T>&, pmreport::Placement<T>&) const;           // where everything is
-//     template <class T> pmreport::Matrix6<T> jacobian(const pmreport::Placement<T>&) const;         // what carries the load
-//     std::vector<double> readings(const Coordinates<double>&, const Placement<double>&) const;            // optional: values without
-//     rates std::vector<Eigen::MatrixXd> matrices(const Coordinates<double>&, const Placement<double>&) const;   // optional: what the
-//     source states
-//   };
-//   PMREPORT_PLUGIN(MyMechanism)                                               // or several: PMREPORT_PLUGIN(One, Another)
+//     static constexpr const char* name = "table";                            // what a scenario calls it
+//     static constexpr const char* title = "A table on six legs";             // a line for people
+//     static constexpr const char* source = "the guide for authors";          // the paper
+//     static constexpr Parameter parameters[] = {                             // what a scenario may set
+//         Parameter::length("base_radius", 0.5, "distance of A1 to A6 from O", {0.1, 10}),
+//         Parameter::mass("platform_mass", 5, "mass of the table"),
+//     };
 //
-// `place` and `jacobian` are instantiated for every scalar; see scalar.hpp for what may be done with one, plugin.h for what the numbers
-// mean.
+//     explicit Table(const Parameters& p) : mass_(p["platform_mass"]) {
+//       if (p["base_radius"] < 2 * radius) refuse("base_radius must be at least ", 2 * radius, " m");
+//       for (std::size_t i = 0; i < 6; ++i) {                                 // joints in pairs, 20 degrees to either side
+//         const double vertex = double(i / 2) * 2 * std::numbers::pi / 3, side = i % 2 == 0 ? -0.35 : 0.35;
+//         const double at_base = vertex + side, at_table = vertex + side * 2;
+//         a_[i] = p["base_radius"] * Vector3d(cos(at_base), sin(at_base), 0);
+//         b_[i] = radius * Vector3d(cos(at_table), sin(at_table), 0);
+//         e_[i] = {-sin(at_base), cos(at_base), 0};
+//       }
+//     }
+//
+//     Topology topology() const {                                             // what is connected to what
+//       Topology t;
+//       t.coordinates = free_pose({0, 0, 0.6, 0, 0, 0}, 0.1, 0.2);
+//       t.platform = t.add(Body{"table", 0, false, Inertia::solid_cylinder(mass_, 0.02, radius, 0)});
+//       const Telescope made{"cylinder ", "piston ", "l", "length of leg ", Inertia::solid_cylinder(1, 0.4, 0.02, 0.2),
+//                            Inertia::solid_cylinder(0.5, 0.4, 0.01, -0.2), {0.4, 1.1}};
+//       for (const Leg& leg : legs_) {
+//         const std::string n = std::to_string(leg.limb);
+//         add_leg(t, leg, n, made, {"A" + n, JointKind::universal, 0, leg.cylinder, {{-1, 1}, {-1, 1}}},
+//                 {"B" + n, JointKind::spherical, leg.piston, platform, {{0, 1}}});
+//       }
+//       return t;
+//     }
+//
+//     template <class T>
+//     void place(const Coordinates<T>& q, Placement<T>& at) const {           // where everything is
+//       const Vector3<T> p(q[0], q[1], q[2]);
+//       const Matrix3<T> r = place_free(at, platform, q);
+//       for (std::size_t i = 0; i < 6; ++i) place_ups<T>(at, legs_[i], {a_[i].cast<T>(), p + r * b_[i]}, e_[i].cast<T>());
+//     }
+//
+//     template <class T>
+//     Matrix6<T> jacobian(const Placement<T>& at) const {                     // what carries the load
+//       Matrix6<T> g;
+//       for (const Leg& leg : legs_) force_row<T>(g, leg.drive, at.axis(leg.slide), at.centre(leg.high) - at.origin(platform));
+//       return g;
+//     }
+//
+//    private:
+//     static constexpr int platform = 1;
+//     static constexpr double radius = 0.2;
+//     static constexpr auto legs_ = legs<6>(platform + 1);
+//     double mass_;
+//     Vector3d a_[6], b_[6], e_[6];                                           // A_i, first axes: base axes; B_i: the table's
+//   };
+//   PMREPORT_PLUGIN(Table)                                                    // or several: PMREPORT_PLUGIN(One, Another)
+//
+// The members
+//   parameters  number, length, angle, mass, inertia, numbers, choice, working_mode: parameter.hpp. A mechanism without any has
+//               `static constexpr std::array<Parameter, 0> parameters{};`. Values are in SI and within their ranges.
+//   constructor reads them: p["NAME"] a number, p.numbers("NAME") a list, p.choice("NAME") a word. What fits no machine it refuses
+//               with a sentence for the user, as above; home must be a pose that can be assembled. Afterwards nothing changes any more:
+//               threads share the object.
+//   topology    coordinates (as many as degrees of freedom), bodies, joints, actuators (as many as degrees of freedom), derived
+//               quantities, constraint wrenches (what is missing to six), shapes: topology.hpp. Body 0 is the base, and is there
+//               already. `add` gives the number of what it added; `place` and `jacobian` speak in these numbers. Bodies without shapes
+//               are drawn from their joints. `idle` counts the spins of legs that move nothing else.
+//   place       says for coordinates q the place of every body (origin, rotation from body to base axes; a slender one: origin, z axis),
+//               of every joint (centre, and its axes: one of a hinge or slide, two of a universal joint, none of a ball), the value of
+//               every actuator and derived quantity. at.require(margin, "why not") says how far the mechanism reaches: only while
+//               margin is positive. All in base axes, m and rad.
+//   jacobian    6 x 6. G times the platform's twist (v; w), v of its origin, gives the actuators' rates, and zero for each constraint.
+//               So row i is the wrench (force; moment about that origin) on the platform of actuator i pushing with one, or of
+//               constraint i: force_row and couple_row of wrench.hpp write one. `at` answers where everything is.
+//   matrices    optional: what the source states, as it states it.
+//                 std::vector<Eigen::MatrixXd> matrices(const Coordinates<double>&, const Placement<double>&) const;
+//               declared in Topology::matrices with the rates that they act on, so that the program can prove them.
+//   readings    optional: numbers of the source at a pose, without rates, declared in Topology::readings.
+//                 std::vector<double> readings(const Coordinates<double>&, const Placement<double>&) const;
+//
+// Scalars. `place` and `jacobian` run on numbers that carry rates, partial derivatives, or several poses at a time: write T, not double,
+// for what depends on q; no `if` on a T, but choose(mask, a, b), smaller and larger; length(v) and unit(v) in place of Eigen's norm() and
+// normalized(): scalar.hpp. A constant vector becomes one of T by c.cast<T>().
+//
+// Helpers. rotation.hpp: rotations and frames. leg.hpp: telescopic legs. free_platform.hpp: a platform with six freedoms. parts.hpp:
+// limits and inertias from parameters. plugin.h says to the last digit what every number means.
+//
+// Then `pmreport check` holds joints, axes, rates, mobility and wrenches against each other, and says what does not fit by its name.
 #pragma once
 
-#include <pmreport/plugin.h>
-#include <pmreport/parameter.hpp>
-#include <pmreport/placement.hpp>
+#include <pmreport/contract.hpp>
 #include <pmreport/rotation.hpp>
 #include <pmreport/wrench.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <concepts>
-#include <cstdio>
-#include <exception>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
 
 namespace pmreport {
 
+// The base of a mechanism with so many degrees of freedom, and actuators.
 template <int Dof>
 class Mechanism {
  public:
@@ -44,283 +123,6 @@ class Mechanism {
   using Coordinates = std::array<T, static_cast<std::size_t>(Dof)>;
 };
 
-namespace contract {  // the plugin's side of the hourglass
-
-inline void say(pm_text* text, const char* sentence) noexcept {
-  if (text != nullptr && text->data != nullptr && text->capacity > 0) std::snprintf(text->data, text->capacity, "%s", sentence);
-}
-
-// Runs `f` and turns every exception into a status and a sentence: none may cross.
-template <class F>
-pm_status guard(pm_text* text, F&& f) noexcept {
-  try {
-    return f();
-  } catch (const std::invalid_argument& e) {
-    say(text, e.what());
-    return PM_BAD_ARGUMENT;
-  } catch (const std::exception& e) {
-    say(text, e.what());
-    return PM_FAILED;
-  } catch (...) {
-    say(text, "an exception that is not a std::exception");
-    return PM_FAILED;
-  }
-}
-
-template <class T>
-pm_list list(const std::vector<T>& items) {
-  return {items.data(), items.size(), sizeof(T)};
-}
-
-// A mechanism with all that it declared, in the contract's structs.
-template <class M>
-struct Instance {
-  M mechanism;
-  Topology topology;
-  Layout layout;
-  std::vector<pm_coordinate> coordinates;
-  std::vector<pm_body> bodies;
-  std::vector<pm_joint> joints;
-  std::vector<pm_actuator> actuators;
-  std::vector<pm_derived> derived;
-  std::vector<pm_constraint> constraints;
-  std::vector<pm_inertia> inertias;
-  std::vector<pm_shape> shapes;
-  std::vector<pm_matrix> matrices;
-  std::vector<pm_reading> readings;
-
-  explicit Instance(const Parameters& p) : mechanism(p), topology(mechanism.topology()), layout(topology) {
-    const Topology& t = topology;
-    for (const auto& c : t.coordinates)
-      coordinates.push_back({c.name.c_str(), c.title.c_str(), c.unit.c_str(), c.home, c.box.min, c.box.max});
-    for (const auto& b : t.bodies) {
-      bodies.push_back({b.name.c_str(), b.slender ? 1 : 0, b.limb});
-      pm_inertia i{b.inertia.mass, {}, {}};
-      for (int r = 0; r < 3; ++r) {
-        i.centre[r] = b.inertia.centre(r);
-        for (int c = 0; c < 3; ++c) i.inertia[3 * r + c] = b.inertia.about_centre(r, c);
-      }
-      inertias.push_back(i);
-    }
-    for (const auto& j : t.joints) {
-      pm_joint o{
-          j.name.c_str(), static_cast<pm_joint_kind>(j.kind), j.a, j.b, {}, {}, j.stud >= 0 ? j.stud : j.b == t.platform ? j.a : j.b};
-      const double free = j.kind == JointKind::prismatic ? 10.0 : std::numbers::pi;
-      for (std::size_t k = 0; k < 2; ++k) {
-        o.min[k] = k < j.limits.size() ? j.limits[k].min : j.kind == JointKind::spherical ? 0.0 : -free;
-        o.max[k] = k < j.limits.size() ? j.limits[k].max : free;
-      }
-      joints.push_back(o);
-    }
-    for (const auto& a : t.actuators)
-      actuators.push_back({a.name.c_str(), a.title.c_str(), a.unit.c_str(), a.joint, a.stroke.min, a.stroke.max});
-    for (const auto& d : t.derived) derived.push_back({d.name.c_str(), d.title.c_str(), d.unit.c_str(), d.dependent ? 1 : 0});
-    for (const auto& c : t.constraints) constraints.push_back({c.name.c_str(), c.title.c_str(), c.unit.c_str()});
-    for (const auto& s : t.shapes) {
-      pm_shape o{s.body, static_cast<pm_shape_kind>(s.kind), {}, {}, s.radius};
-      for (int k = 0; k < 3; ++k) o.a[k] = s.a(k), o.b[k] = s.b(k);
-      shapes.push_back(o);
-    }
-    for (const auto& r : t.readings) readings.push_back({r.name.c_str(), r.title.c_str(), r.unit.c_str()});
-    for (const auto& m : t.matrices)
-      matrices.push_back({m.name.c_str(), m.title.c_str(), static_cast<std::size_t>(m.rows), static_cast<std::size_t>(m.columns),
-                          m.relation, static_cast<pm_rates>(m.acts_on), static_cast<pm_rates>(m.gives)});
-  }
-};
-
-// Reads coordinate i of pose k. Partials are seeded here; every other scalar comes whole from the host.
-template <class T>
-struct Coordinate {
-  static T load(const double* in, std::size_t i, std::size_t count, std::size_t k) {
-    return Codec<T>::load(in + i * Codec<T>::components * count + k, count);
-  }
-};
-template <class S, int M>
-struct Coordinate<Partials<S, M>> {
-  static Partials<S, M> load(const double* in, std::size_t i, std::size_t count, std::size_t k) {
-    return Partials<S, M>::variable(Codec<S>::load(in + i * count + k, count), static_cast<int>(i));
-  }
-};
-
-// The functions of the contract for mechanism M.
-template <class M>
-struct Functions {
-  using Self = Instance<M>;
-  static const Self& self(const pm_instance* p) { return *reinterpret_cast<const Self*>(p); }
-
-  static pm_status create(const pm_value* values, std::size_t count, pm_instance** out, pm_text* text) noexcept {
-    return guard(text, [&] {
-      if (count != std::size(M::parameters)) throw std::invalid_argument("the number of values differs from the number of parameters");
-      *out = reinterpret_cast<pm_instance*>(new Self(Parameters(M::parameters, {values, count})));
-      return PM_OK;
-    });
-  }
-  static void destroy(pm_instance* p) noexcept { delete reinterpret_cast<Self*>(p); }
-
-  static pm_status topology(const pm_instance* p, pm_topology* out, pm_text* text) noexcept {
-    return guard(text, [&] {
-      const Self& s = self(p);
-      *out = {sizeof(pm_topology), list(s.coordinates), list(s.bodies),      list(s.joints),
-              list(s.actuators),   list(s.derived),     s.topology.platform, s.topology.idle};
-      return PM_OK;
-    });
-  }
-  template <auto member>
-  static pm_status listing(const pm_instance* p, pm_list* out, pm_text* text) noexcept {
-    return guard(text, [&] { return *out = list(self(p).*member), PM_OK; });
-  }
-
-  // Calls f<T>(k) for every pose: in lanes as far as the poses fill them; the last group reaches back over poses already done.
-  template <class Single, class Wide, class F>
-  static pm_status sweep(std::size_t count, F&& f) {
-    constexpr std::size_t width = Lanes::width;
-    if (count >= width && count > 1) {
-      for (std::size_t k = 0; k + width <= count; k += width) f.template operator()<Wide>(k);
-      if (count % width != 0) f.template operator()<Wide>(count - width);
-    } else {
-      for (std::size_t k = 0; k < count; ++k) f.template operator()<Single>(k);
-    }
-    return PM_OK;
-  }
-  template <class F>
-  static pm_status in_order(pm_order order, std::size_t count, F&& f) {
-    switch (order) {
-      case PM_VALUE:
-        return sweep<double, Lanes>(count, f);
-      case PM_JET:
-        return sweep<Jet<double>, Jet<Lanes>>(count, f);
-      case PM_PARTIALS:
-        return sweep<Partials<double, M::dof>, Partials<Lanes, M::dof>>(count, f);
-      case PM_EXTENDED:
-        for (std::size_t k = 0; k < count; ++k) f.template operator()<long double>(k);
-        return PM_OK;
-      default:
-        throw std::invalid_argument("unknown order of scalars");
-    }
-  }
-
-  static pm_status place(const pm_instance* p, pm_order order, std::size_t count, const double* in, double* out, pm_text* text) noexcept {
-    return guard(text, [&] {
-      const Self& s = self(p);
-      const char* why = nullptr;
-      in_order(order, count, [&]<class T>(std::size_t k) {
-        typename M::template Coordinates<T> q;
-        for (std::size_t i = 0; i < q.size(); ++i) q[i] = Coordinate<T>::load(in, i, count, k);
-        Placement<T> at(out + k, count, s.layout);
-        s.mechanism.place(q, at);
-        why = at.why();
-      });
-      if (count != 1 || out[0] >= 0) return PM_OK;
-      if (std::isnan(out[0])) return say(text, "the reach of the placement is not a number"), PM_FAILED;
-      say(text, why != nullptr ? why : "out of reach");
-      return PM_UNREACHABLE;
-    });
-  }
-  static pm_status jacobian(const pm_instance* p, pm_order order, std::size_t count, const double* in, double* out,
-                            pm_text* text) noexcept {
-    return guard(text, [&] {
-      const Self& s = self(p);
-      return in_order(order, count, [&]<class T>(std::size_t k) {
-        const Placement<T> at(in + k, count, s.layout);
-        const Matrix6<T> g = s.mechanism.jacobian(at);
-        for (std::size_t e = 0; e < 36; ++e)
-          Codec<T>::store(out + e * Codec<T>::components * count + k, count, g(static_cast<int>(e / 6), static_cast<int>(e % 6)));
-      });
-    });
-  }
-};
-
-// Mechanisms whose author brings matrices of the source, or readings.
-template <class M>
-concept HasMatrices = requires(const M& m, const typename M::template Coordinates<double>& q, const Placement<double>& at) {
-  { m.matrices(q, at) } -> std::same_as<std::vector<Eigen::MatrixXd>>;
-};
-template <class M>
-concept HasReadings = requires(const M& m, const typename M::template Coordinates<double>& q, const Placement<double>& at) {
-  { m.readings(q, at) } -> std::same_as<std::vector<double>>;
-};
-
-template <class M>
-struct ClosedForms {
-  using Self = Instance<M>;
-
-  // Calls f(mechanism, coordinates, placement) at the pose that the host gives.
-  template <class F>
-  static auto at_pose(const Self& s, const double* coordinates, const double* placement, F&& f) {
-    typename M::template Coordinates<double> q;
-    std::copy_n(coordinates, q.size(), q.begin());
-    return f(s.mechanism, q, Placement<double>(placement, 1, s.layout));
-  }
-
-  static pm_status evaluate(const pm_instance* p, const double* coordinates, const double* placement, double* out, pm_text* text) noexcept {
-    return guard(text, [&] {
-      const Self& s = Functions<M>::self(p);
-      std::vector<Eigen::MatrixXd> all;
-      if constexpr (HasMatrices<M>)
-        all = at_pose(s, coordinates, placement, [](const M& m, const auto& q, const auto& at) { return m.matrices(q, at); });
-      if (all.size() != s.matrices.size()) throw std::logic_error("the number of matrices differs from what the topology declares");
-      for (std::size_t i = 0; i < all.size(); ++i) {
-        const auto rows = static_cast<Eigen::Index>(s.matrices[i].rows), columns = static_cast<Eigen::Index>(s.matrices[i].columns);
-        if (all[i].rows() != rows || all[i].cols() != columns)
-          throw std::logic_error("matrix " + s.topology.matrices[i].name + " has another size than the topology declares");
-        for (Eigen::Index r = 0; r < rows; ++r)
-          for (Eigen::Index c = 0; c < columns; ++c) *out++ = all[i](r, c);
-      }
-      return PM_OK;
-    });
-  }
-
-  static pm_status read(const pm_instance* p, const double* coordinates, const double* placement, double* out, pm_text* text) noexcept {
-    return guard(text, [&] {
-      const Self& s = Functions<M>::self(p);
-      std::vector<double> all;
-      if constexpr (HasReadings<M>)
-        all = at_pose(s, coordinates, placement, [](const M& m, const auto& q, const auto& at) { return m.readings(q, at); });
-      if (all.size() != s.readings.size()) throw std::logic_error("the number of readings differs from what the topology declares");
-      std::ranges::copy(all, out);
-      return PM_OK;
-    });
-  }
-
-  static constexpr pm_closed_forms table{sizeof(pm_closed_forms), Functions<M>::template listing<&Instance<M>::matrices>, evaluate,
-                                         Functions<M>::template listing<&Instance<M>::readings>, read};
-};
-
-template <class M>
-inline constexpr auto parameter_infos = [] {
-  std::array<pm_parameter, std::size(M::parameters)> out{};
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = info(M::parameters[i]);
-  return out;
-}();
-
-template <class M>
-inline constexpr pm_kinematics kinematics{sizeof(pm_kinematics), Functions<M>::topology, Functions<M>::place};
-template <class M>
-inline constexpr pm_statics statics{sizeof(pm_statics), Functions<M>::template listing<&Instance<M>::constraints>, Functions<M>::jacobian};
-template <class M>
-inline constexpr pm_dynamics dynamics{sizeof(pm_dynamics), Functions<M>::template listing<&Instance<M>::inertias>};
-template <class M>
-inline constexpr pm_appearance appearance{sizeof(pm_appearance), Functions<M>::template listing<&Instance<M>::shapes>};
-
-template <class M>
-inline constexpr pm_mechanism mechanism{sizeof(pm_mechanism),
-                                        M::name,
-                                        M::title,
-                                        M::source,
-                                        M::dof,
-                                        {parameter_infos<M>.data(), parameter_infos<M>.size(), sizeof(pm_parameter)},
-                                        Functions<M>::create,
-                                        Functions<M>::destroy,
-                                        &kinematics<M>,
-                                        &statics<M>,
-                                        &dynamics<M>,
-                                        &appearance<M>,
-                                        &ClosedForms<M>::table};
-
-template <class... M>
-inline constexpr std::array<const pm_mechanism*, sizeof...(M)> mechanisms{&mechanism<M>...};
-
-}  // namespace contract
 }  // namespace pmreport
 
 // Exports the mechanisms of this library: its only visible symbol.

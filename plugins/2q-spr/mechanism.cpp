@@ -7,7 +7,9 @@
 // vertical rod's hinges R_i5 (about the upper beam mu_i) and R_i4 (about the platform's normal n_z) let the plane and the platform go their
 // own ways. Such a limb drives two freedoms and takes none. The SPR limb stays perpendicular to its hinge f3 = R u3, which takes one:
 //     f3 . (B_3 - b_3) = 0   <=>   f3 . (p - B_3) + u3 . b_3 = 0          (C)
+#include <pmreport/leg.hpp>
 #include <pmreport/mechanism.hpp>
+#include <pmreport/parts.hpp>
 
 using namespace pmreport;
 using Eigen::Vector3d;
@@ -17,14 +19,11 @@ constexpr const char* rod_words[] = {"uncrossed", "crossed"};
 constexpr double tangential_axis[] = {0, 0, 0}, platform_inertia[] = {0.002, 0.002, 0.002, 0, 0, 0};
 
 constexpr int platform = 1;
-struct Rod {  // its number as an actuator, its bodies, its joints from the base up
-  int actuator, cylinder, piston, low, slide, high;
-};
-constexpr Rod spr{4, 16, 17, 18, 19, 20};
+constexpr Leg spr{3, 4, 16, 17, 18, 19, 20};
 struct Planar {  // bodies and joints of limb Q_i, i = 0, 1, and its rods j = 0, 1
   int i, lower = 2 + 7 * i, upper = 7 + 7 * i, vertical = 8 + 7 * i, r1 = 9 * i, r5 = 9 * i + 7, r4 = 9 * i + 8;
-  constexpr Rod rod(int j) const {
-    return {2 * i + j, lower + 1 + 2 * j, lower + 2 + 2 * j, r1 + 1 + 3 * j, r1 + 2 + 3 * j, r1 + 3 + 3 * j};
+  constexpr Leg rod(int j) const {
+    return {i + 1, 2 * i + j, lower + 1 + 2 * j, lower + 2 + 2 * j, r1 + 1 + 3 * j, r1 + 2 + 3 * j, r1 + 3 + 3 * j};
   }
 };
 constexpr Planar planar[] = {{0}, {1}};
@@ -154,9 +153,10 @@ class TwoQSpr : public Mechanism<5> {
     }
   }
 
-  // A driven rod from `low` to `high`, Eq. (8). Its upper hinge lies along `x`, which it is perpendicular to.
+  // A driven rod from `low` to `high`, Eq. (8). Its upper hinge lies along `x`, which it is perpendicular to. (By place_leg partial
+  // derivatives of this mechanism cost a seventh more.)
   template <class T>
-  void place_rod(const Rod& rod, const Vector3<T>& low, const Vector3<T>& high, const Vector3<T>& x, Placement<T>& at) const {
+  void place_rod(const Leg& rod, const Vector3<T>& low, const Vector3<T>& high, const Vector3<T>& x, Placement<T>& at) const {
     const Vector3<T> along = high - low;
     const T l = length(along);
     const Vector3<T> delta = along * T(1.0 / l);
@@ -165,7 +165,7 @@ class TwoQSpr : public Mechanism<5> {
     at.body(rod.piston, high, turned);
     at.joint(rod.slide, high, delta);
     at.joint(rod.high, high, x);
-    at.actuator(rod.actuator, l);
+    at.actuator(rod.drive, l);
   }
 
   Topology describe(const Parameters& p) const;
@@ -175,6 +175,7 @@ class TwoQSpr : public Mechanism<5> {
   Vector3d u3_;                              // axis of R3, platform axes
   double offset_, lower_, upper_;            // u3 . b_3, D, d
   std::array<double, 2> mode_;               // sign of mu_i
+  Range stroke_{};
   Topology topology_;
 };
 
@@ -187,7 +188,7 @@ TwoQSpr::TwoQSpr(const Parameters& p) : lower_(p["lower_beam"]), upper_(p["upper
   }
   for (std::size_t i = 0; i < 2; ++i) mode_[i] = p.choice(i == 0 ? "rods_1" : "rods_2") == "crossed" ? -1 : 1;
   hinge_ = {(base_[1] - base_[2]).normalized(), (base_[0] - base_[2]).normalized()};  // Eq. (5): along the opposite side
-  if (p["stroke_min"] >= p["stroke_max"]) refuse("stroke_min must be less than stroke_max");
+  stroke_ = range_of(p, "stroke_min", "stroke_max");
 
   const Vector3d limb3 = platform_[2] + Vector3d(0, 0, p["home_height"]) - base_[2];
   u3_ = Vector3d(p.numbers("revolute_axis").data());
@@ -203,7 +204,7 @@ TwoQSpr::TwoQSpr(const Parameters& p) : lower_(p["lower_beam"]), upper_(p["upper
 
 Topology TwoQSpr::describe(const Parameters& p) const {
   Topology t;
-  const double height = p["home_height"], thick = 0.013 * height, tube = 0.95 * p["stroke_min"];  // no part longer than the shortest rod
+  const double height = p["home_height"], thick = 0.013 * height, tube = 0.95 * stroke_.min;  // no part longer than the shortest rod
   t.coordinates = {
       Coordinate::around(0, 0.1 * height, "x", "X position", "m"), Coordinate::around(height, height / 6, "z", "Z position", "m"),
       Coordinate::around(0, 10 * deg, "yaw", "turn about Z", "rad"), Coordinate::around(0, 10 * deg, "pitch", "turn about Y1", "rad"),
@@ -211,38 +212,39 @@ Topology TwoQSpr::describe(const Parameters& p) const {
   t.derived = {{"y", "Y position", "m", true}};
   t.readings = {{"alpha", "ZYZ angle alpha", "rad"}, {"beta", "ZYZ angle beta, the tilt", "rad"}, {"gamma", "ZYZ angle gamma", "rad"}};
 
-  const auto inertia = [&p](const std::string& of, double centre) {
-    return Inertia::axisymmetric(p[of + "_mass"], centre, p[of + "_inertia"], p[of + "_axial_inertia"]);
-  };
-  const auto within = [&p](const char* angle) { return std::vector<Range>{{-p[angle], p[angle]}}; };
-  const auto rod = [&](const std::string& n, int limb, Joint low, Joint high) {
-    low.b = t.add(Body{"cylinder " + n, limb, false, inertia("cylinder", p["cylinder_centre"])});
-    high.b = t.add(Body{"piston " + n, limb, false, inertia("piston", -p["piston_centre"])});
-    t.add(low);
-    const int slide = t.add(Joint{"P" + n, JointKind::prismatic, low.b, high.b, {}});
-    t.add(high);
-    t.add(Actuator{"r" + n, "length of rod " + n, "m", slide, {p["stroke_min"], p["stroke_max"]}});
-    t.draw_along_axis(low.b, 0, tube, 0.030 * height);
-    t.draw_along_axis(high.b, -tube, 0, 0.017 * height);
+  const auto within = [&p](const char* angle) { return std::vector<Range>{either_way(p[angle])}; };
+  const Telescope telescope{"cylinder ",
+                            "piston ",
+                            "r",
+                            "length of rod ",
+                            axisymmetric(p, "cylinder", p["cylinder_centre"]),
+                            axisymmetric(p, "piston", -p["piston_centre"]),
+                            stroke_};
+  const auto add_rod = [&](const Leg& rod, const std::string& n, const Joint& low, const Joint& high) {
+    add_leg(t, rod, n, telescope, low, high);
+    draw_leg(t, rod, tube, 0.030 * height, 0.017 * height);
   };
 
   t.platform = t.add(Body{"platform", 0, false, Inertia::central(p["platform_mass"], p.numbers("platform_inertia"))});
   for (const Planar limb : planar) {
     const std::string n = std::to_string(limb.i + 1);
-    t.add(Body{"lower beam G" + n, limb.i + 1, false, inertia("lower_beam", 0)});
+    t.add(Body{"lower beam G" + n, limb.i + 1, false, axisymmetric(p, "lower_beam", 0)});
     t.add(Joint{"R" + n + "1", JointKind::revolute, 0, limb.lower, within("plane_tilt")});
-    for (const auto& ij : {n + "1", n + "2"})
-      rod(ij, limb.i + 1, {"RB" + ij, JointKind::revolute, limb.lower, 0, within("pin_angle")},
-          {"Rb" + ij, JointKind::revolute, limb.upper, 0, within("pin_angle")});
-    t.add(Body{"upper beam g" + n, limb.i + 1, false, inertia("upper_beam", 0)});
+    for (const int j : {0, 1}) {
+      const Leg rod = limb.rod(j);
+      const std::string ij = n + std::to_string(j + 1);
+      add_rod(rod, ij, {"RB" + ij, JointKind::revolute, limb.lower, rod.cylinder, within("pin_angle")},
+              {"Rb" + ij, JointKind::revolute, limb.upper, rod.piston, within("pin_angle")});
+    }
+    t.add(Body{"upper beam g" + n, limb.i + 1, false, axisymmetric(p, "upper_beam", 0)});
     t.add(Body{"vertical rod " + n, limb.i + 1, false, {}});
     t.add(Joint{"R" + n + "5", JointKind::revolute, limb.vertical, limb.upper, within("swivel_angle")});
     t.add(Joint{"R" + n + "4", JointKind::revolute, platform, limb.vertical, within("swivel_angle")});
     t.shapes.push_back({limb.lower, ShapeKind::box, {0, 0, 0}, {thick, thick, lower_}, 0});
     t.shapes.push_back({limb.upper, ShapeKind::box, {0, 0, 0}, {thick, thick, upper_ + 2 * thick}, 0});
   }
-  rod("3", 3, {"S3", JointKind::spherical, 0, 0, {{0, p["ball_cone"]}}},
-      {"R3", JointKind::revolute, platform, 0, within("revolute_angle")});
+  add_rod(spr, "3", {"S3", JointKind::spherical, 0, spr.cylinder, {up_to(p["ball_cone"])}},
+          {"R3", JointKind::revolute, platform, spr.piston, within("revolute_angle")});
   t.constraints.push_back({"constraint1", "force F_y along the axis of R3 through B3", "N"});
   return t;
 }

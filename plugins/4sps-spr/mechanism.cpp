@@ -6,7 +6,9 @@
 // in a revolute joint at B_5 whose axis n6 = R n6p is fixed in the platform; the limb stays perpendicular to it, which takes one freedom:
 //     n6 . (A_5 - B_5) = 0   <=>   n6 . (p - A_5) + n6p . b_5 = 0          (C)
 // The chosen dependent coordinate of the pose follows from the other five.
+#include <pmreport/leg.hpp>
 #include <pmreport/mechanism.hpp>
+#include <pmreport/parts.hpp>
 
 using namespace pmreport;
 using Eigen::Vector3d;
@@ -17,9 +19,8 @@ constexpr const char* pose_titles[] = {"X position", "Y position", "Z position",
 constexpr double perpendicular_axis[] = {0, 0, 0}, platform_inertia[] = {0.03, 0.03, 0.055, 0, 0, 0};
 
 constexpr int platform = 1;
-struct Limb {  // bodies and joints of limb i = 0..4
-  int i, cylinder = 2 + 2 * i, piston = 3 + 2 * i, a = 3 * i, p = 3 * i + 1, b = 3 * i + 2;
-};
+constexpr auto limbs = legs<5>(platform + 1);
+constexpr const Leg& spr = limbs[4];
 
 class FourSpsSpr : public Mechanism<5> {
  public:
@@ -69,23 +70,24 @@ class FourSpsSpr : public Mechanism<5> {
 
     at.body(platform, p, r);
     at.derived(0, pose[std::size_t(dependent_)]);
-    for (const Limb limb : limbs_) {
-      const auto a = a_[std::size_t(limb.i)].cast<T>().eval();
-      const Vector3<T> b = p + r * b_[std::size_t(limb.i)], along = b - a;  // Eq. (4)
+    // By place_sps and place_leg this would be five lines, and partial derivatives cost half as much again: two bodies of code to inline.
+    for (const Leg& limb : limbs) {
+      const auto a = a_[std::size_t(limb.drive)].cast<T>().eval();
+      const Vector3<T> b = p + r * b_[std::size_t(limb.drive)], along = b - a;  // Eq. (4)
       const T l = length(along);
       const Vector3<T> n = along * T(1.0 / l);  // Eq. (5)
-      at.joint(limb.a, a);
-      at.joint(limb.p, b, n);
-      at.actuator(limb.i, l);
-      if (limb.i < 4) {
+      at.joint(limb.low, a);
+      at.joint(limb.slide, b, n);
+      at.actuator(limb.drive, l);
+      if (limb.drive != spr.drive) {
         at.slender(limb.cylinder, a, n);
         at.slender(limb.piston, b, n);
-        at.joint(limb.b, b);
+        at.joint(limb.high, b);
       } else {  // the revolute joint lets limb 5 spin with the platform only
         const Matrix3<T> turned = frame_xz(n6, n);
         at.body(limb.cylinder, a, turned);
         at.body(limb.piston, b, turned);
-        at.joint(limb.b, b, n6);
+        at.joint(limb.high, b, n6);
       }
     }
   }
@@ -95,8 +97,8 @@ class FourSpsSpr : public Mechanism<5> {
   Matrix6<T> jacobian(const Placement<T>& at) const {
     const Vector3<T> p = at.origin(platform);
     Matrix6<T> g;
-    for (const Limb limb : limbs_) force_row<T>(g, limb.i, at.axis(limb.p), at.centre(limb.b) - p);
-    force_row<T>(g, 5, at.axis(limbs_[4].b), at.centre(limbs_[4].a) - p);
+    for (const Leg& limb : limbs) force_row<T>(g, limb.drive, at.axis(limb.slide), at.centre(limb.high) - p);
+    force_row<T>(g, 5, at.axis(spr.high), at.centre(spr.low) - p);
     return g;
   }
 
@@ -131,13 +133,12 @@ class FourSpsSpr : public Mechanism<5> {
 
   Topology describe(const Parameters& p) const;
 
-  static constexpr Limb limbs_[] = {{0}, {1}, {2}, {3}, {4}};
-
   std::array<Vector3d, 5> a_, b_;  // A_i in base axes, b_i in platform axes
-  Vector3d n6p_;                   // revolute axis, platform axes
-  double offset_ = 0;              // n6p . b_5
-  int dependent_ = 1;              // index into the pose
-  double root_ = 1;                // sign of the root of a dependent angle
+  Range stroke_{};
+  Vector3d n6p_;       // revolute axis, platform axes
+  double offset_ = 0;  // n6p . b_5
+  int dependent_ = 1;  // index into the pose
+  double root_ = 1;    // sign of the root of a dependent angle
   Topology topology_;
 };
 
@@ -149,7 +150,7 @@ FourSpsSpr::FourSpsSpr(const Parameters& p) {
     b_[i] = p["platform_radius"] * Vector3d(cos(azimuth_b), sin(azimuth_b), 0);
   }
   a_[0] = {p["base_offset"], 0, 0};
-  if (p["stroke_min"] >= p["stroke_max"]) refuse("stroke_min must be less than stroke_max");
+  stroke_ = range_of(p, "stroke_min", "stroke_max");
 
   const Vector3d limb5 = a_[4] - Vector3d(0, 0, p["home_height"]) - b_[4];
   n6p_ = Vector3d(p.numbers("revolute_axis").data());
@@ -170,26 +171,26 @@ FourSpsSpr::FourSpsSpr(const Parameters& p) {
 
 Topology FourSpsSpr::describe(const Parameters& p) const {
   Topology t;
-  const double height = p["home_height"], tube = 0.95 * p["stroke_min"];  // no part is drawn longer than the shortest limb
+  const double height = p["home_height"], tube = 0.95 * stroke_.min;  // no part is drawn longer than the shortest limb
   for (int k = 0; k < 3; ++k)
     t.add(Coordinate::around(k == 2 ? height : 0, 0.18 * height, pose_names[k], pose_titles[k], "m"), k == dependent_);
   for (int k = 3; k < 6; ++k) t.add(Coordinate::around(0, 5 * deg, pose_names[k], pose_titles[k], "rad"), k == dependent_);
   t.platform = t.add(Body{"platform", 0, false, Inertia::central(p["platform_mass"], p.numbers("platform_inertia"))});
-  const auto q = Inertia::axisymmetric(p["cylinder_mass"], p["cylinder_centre"], p["cylinder_inertia"], p["cylinder_axial_inertia"]);
-  const auto r = Inertia::axisymmetric(p["piston_mass"], -p["piston_centre"], p["piston_inertia"], p["piston_axial_inertia"]);
-  const Range stroke{p["stroke_min"], p["stroke_max"]};
-  for (const Limb limb : limbs_) {
-    const std::string n = std::to_string(limb.i + 1);
-    const bool slender = limb.i < 4;
-    t.add(Body{"cylinder " + n, limb.i + 1, slender, q});
-    t.add(Body{"piston " + n, limb.i + 1, slender, r});
-    t.add(Joint{"A" + n, JointKind::spherical, 0, limb.cylinder, {{0, p["base_cone"]}}});
-    t.add(Joint{"P" + n, JointKind::prismatic, limb.cylinder, limb.piston, {}});
-    t.add(slender ? Joint{"B" + n, JointKind::spherical, limb.piston, platform, {{0, p["platform_cone"]}}}
-                  : Joint{"B" + n, JointKind::revolute, platform, limb.piston, {{-p["revolute_angle"], p["revolute_angle"]}}});
-    t.add(Actuator{"l" + n, "length of limb " + n, "m", limb.p, stroke});
-    t.draw_along_axis(limb.cylinder, 0, tube, 0.030 * height);
-    t.draw_along_axis(limb.piston, -tube, 0, 0.017 * height);
+  Telescope telescope{"cylinder ",
+                      "piston ",
+                      "l",
+                      "length of limb ",
+                      axisymmetric(p, "cylinder", p["cylinder_centre"]),
+                      axisymmetric(p, "piston", -p["piston_centre"]),
+                      stroke_};
+  for (const Leg& limb : limbs) {
+    const std::string n = std::to_string(limb.limb);
+    telescope.slender = limb.drive != spr.drive;
+    const Joint ball{"B" + n, JointKind::spherical, limb.piston, platform, {up_to(p["platform_cone"])}},
+        hinge{"B" + n, JointKind::revolute, platform, limb.piston, {either_way(p["revolute_angle"])}};
+    add_leg(t, limb, n, telescope, {"A" + n, JointKind::spherical, 0, limb.cylinder, {up_to(p["base_cone"])}},
+            telescope.slender ? ball : hinge);
+    draw_leg(t, limb, tube, 0.030 * height, 0.017 * height);
   }
   t.constraints.push_back({"constraint1", "force F_tau along the revolute axis through A5", "N"});
   t.idle = 4;

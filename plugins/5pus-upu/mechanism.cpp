@@ -7,6 +7,7 @@
 //     (X x d) . R ex = 0   <=>   d_z sin(gamma) cos(beta) + d_y sin(beta) = 0,   R = Rz(gamma) Ry(beta) Rx(alpha)          (C)
 // The paper takes gamma = 0 instead: `constraint = "ideal"` has three slides along X, Y, Z and a universal joint about Y and R ex for it.
 #include <pmreport/mechanism.hpp>
+#include <pmreport/parts.hpp>
 
 using namespace pmreport;
 using Eigen::Vector3d;
@@ -156,6 +157,7 @@ class FivePusUpu : public Mechanism<5> {
   static constexpr Limb limbs_[] = {{0}, {1}, {2}, {3}, {4}};
   bool ideal_ = false, pentagon_ = false, scheme_2_ = false;
   double length_;
+  Range stroke_{};
   Vector3d u6_;
   std::array<Vector3d, 5> a_, s_;         // A_i in base axes, s_i in platform axes
   std::array<Eigen::Matrix3d, 5> guide_;  // axes of slider i: outward, along the circle, Z
@@ -176,7 +178,7 @@ FivePusUpu::FivePusUpu(const Parameters& p) : length_(p["rod_length"]), u6_(0, 0
     s_[i] = pentagon_ ? p["pentagon_radius"] * (turned * guide_[i].col(0)) : 1e-3 * Vector3d(scheme[i][0], scheme[i][1], 0);
     side_[i] = p.choice("slider" + std::to_string(i + 1)) == "above" ? 1 : -1;
   }
-  if (p["stroke_min"] >= p["stroke_max"]) refuse("stroke_min must be less than stroke_max");
+  stroke_ = range_of(p, "stroke_min", "stroke_max");
   if (!ideal_ && abs(u6_.z()) < 0.05) refuse("h6 must be 50 mm or more from 0, the height of U6' at home; it is ", u6_.z() * 1e3, " mm");
   topology_ = describe(p);
 }
@@ -195,16 +197,16 @@ Topology FivePusUpu::describe(const Parameters& p) const {
   Inertia body = Inertia::central(p["platform_mass"], p.numbers("platform_inertia"));
   body.centre = Vector3d(p.numbers("platform_centre").data());
   t.platform = t.add(Body{"platform", 0, false, body});
-  const auto rod = Inertia::axisymmetric(p["rod_mass"], p["rod_centre"], p["rod_inertia"], p["rod_axial_inertia"]);
-  const Range turns{-p["rod_angle"], p["rod_angle"]}, leg_turns{-p["leg_angle"], p["leg_angle"]}, travel{-p["leg_travel"], p["leg_travel"]};
+  const Inertia rod = axisymmetric(p, "rod", p["rod_centre"]);
+  const Range turns = either_way(p["rod_angle"]), leg_turns = either_way(p["leg_angle"]);
   for (const Limb limb : limbs_) {
     const std::string n = std::to_string(limb.i + 1);
     t.add(Body{"slider " + n, limb.i + 1, false, Inertia::axisymmetric(p["slider_mass"], 0, 0, 0)});
     t.add(Body{"rod " + n, limb.i + 1, false, rod});
     t.add(Joint{"P" + n, JointKind::prismatic, 0, limb.slider, {}});
     t.add(Joint{"U" + n, JointKind::universal, limb.slider, limb.rod, {turns, turns}});
-    t.add(Joint{"S" + n, JointKind::spherical, limb.rod, platform, {{0, p["ball_cone"]}}});
-    t.add(Actuator{"q" + n, "height of slider " + n, "m", limb.p, {p["stroke_min"], p["stroke_max"]}});
+    t.add(Joint{"S" + n, JointKind::spherical, limb.rod, platform, {up_to(p["ball_cone"])}});
+    t.add(Actuator{"q" + n, "height of slider " + n, "m", limb.p, stroke_});
     t.derived.push_back({"rise" + n, "height of U" + n + " over S" + n, "m"});
   }
   if (ideal_) {
@@ -215,15 +217,13 @@ Topology FivePusUpu::describe(const Parameters& p) const {
     }
     t.add(Joint{"U6", JointKind::universal, gantry + 2, platform, {}});
   } else {
-    const auto low = Inertia::axisymmetric(p["lower_mass"], p["lower_centre"], p["lower_inertia"], p["lower_axial_inertia"]);
-    const auto up = Inertia::axisymmetric(p["upper_mass"], -p["upper_centre"], p["upper_inertia"], p["upper_axial_inertia"]);
-    t.add(Body{"leg, lower part", 6, false, low});
-    t.add(Body{"leg, upper part", 6, false, up});
+    t.add(Body{"leg, lower part", 6, false, axisymmetric(p, "lower", p["lower_centre"])});
+    t.add(Body{"leg, upper part", 6, false, axisymmetric(p, "upper", -p["upper_centre"])});
     t.add(Joint{"U6", JointKind::universal, 0, lower, {leg_turns, leg_turns}});
-    t.add(Joint{"P6", JointKind::prismatic, lower, upper, {travel}});
+    t.add(Joint{"P6", JointKind::prismatic, lower, upper, {either_way(p["leg_travel"])}});
     t.add(Joint{"U6p", JointKind::universal, upper, platform, {leg_turns, leg_turns}});
   }
-  draw(t, {0, 0, std::min(u6_.z(), p["stroke_min"]) - 0.030}, {0, 0, std::max(u6_.z(), p["stroke_max"]) + 0.045});
+  draw(t, {0, 0, std::min(u6_.z(), stroke_.min) - 0.030}, {0, 0, std::max(u6_.z(), stroke_.max) + 0.045});
   return t;
 }
 

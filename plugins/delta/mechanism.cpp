@@ -8,6 +8,7 @@
 // and the rods close the limb when they have their length:
 //     |C_i - B_i| = l                                                                                                              (1)
 #include <pmreport/mechanism.hpp>
+#include <pmreport/parts.hpp>
 
 using namespace pmreport;
 using Eigen::Vector3d;
@@ -150,7 +151,7 @@ Topology Delta::describe(const Parameters& p) const {
   Inertia arm = Inertia::solid_cylinder(p["arm_mass"], arm_, 0.05 * arm_, 0.5 * arm_);
   arm.about_centre(0, 0) += p["motor_inertia"];
   const Inertia rod = Inertia::solid_cylinder(p["rod_mass"], rod_, 0.006 * rod_, 0.5 * rod_);
-  const std::vector<Range> cone{{0, p["ball_cone"]}};
+  const std::vector<Range> cone{up_to(p["ball_cone"])};
   const double tube = 0.04 * arm_, wide = 0.5 * spacing_;  // base and platform are drawn as plates, from their joints
   for (const Limb limb : limbs_) {
     const std::string n = std::to_string(limb.i + 1), rods[] = {n + "1", n + "2"};

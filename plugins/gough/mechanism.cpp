@@ -2,7 +2,10 @@
 //
 // Notation of Glazunov et al. 2008; README.md beside this file says what of the paper reproduces. Leg i runs from A_i on the base to
 // B_i = P + R b_i on the platform, R = Rz(alpha) Rx(beta) Ry(gamma). v_i = A_iB_i, rho_i = |v_i|, u_i = v_i / rho_i.
+#include <pmreport/free_platform.hpp>
+#include <pmreport/leg.hpp>
 #include <pmreport/mechanism.hpp>
+#include <pmreport/parts.hpp>
 
 using namespace pmreport;
 using Eigen::MatrixXd;
@@ -10,13 +13,9 @@ using Eigen::Vector3d;
 namespace {
 constexpr double pi = std::numbers::pi, deg = pi / 180;
 constexpr double home_position[] = {0, 0, 0.95}, home_angles[] = {0, 0, 0};
-constexpr const char* pose_names[] = {"x", "y", "z", "alpha", "beta", "gamma"};
-constexpr const char* pose_titles[] = {"X position", "Y position", "Z position", "turn about z0", "turn about x1", "turn about y2"};
 
 constexpr int platform = 1;
-struct Leg {  // bodies and joints of leg i = 0..5
-  int i, cylinder = 2 + 2 * i, rod = 3 + 2 * i, a = 3 * i, p = 3 * i + 1, b = 3 * i + 2;
-};
+constexpr auto legs = pmreport::legs<6>(platform + 1);
 
 class Gough : public Mechanism<6> {
  public:
@@ -56,47 +55,29 @@ class Gough : public Mechanism<6> {
   template <class T>
   void place(const Coordinates<T>& q, Placement<T>& at) const {
     const Vector3<T> p(q[0], q[1], q[2]);
-    const Matrix3<T> r = rotation_zxy(q[3], q[4], q[5]);
-    at.body(platform, p, r);
-    for (const Leg leg : legs_) {
-      const auto i = std::size_t(leg.i);
-      const Vector3<T> a = a_[i].cast<T>(), e1 = e1_[i].cast<T>(), b = p + r * b_[i], v = b - a;
-      const T rho = length(v);
-      const Vector3<T> u = v * T(1.0 / rho), across = e1.cross(u);
-      const T sine = length(across);
-      at.require(sine - 1e-6, "a leg points along the first axis of its Cardan joint on the base, which leaves its spin undetermined");
-      const Vector3<T> e2 = across * T(1.0 / sine);
-      const Matrix3<T> frame = frame_xz(e2, u);
-      at.body(leg.cylinder, a, frame);
-      at.body(leg.rod, b, frame);
-      at.joint(leg.a, a, e1, e2);
-      at.joint(leg.p, b, u);
-      at.joint(leg.b, b);
-      at.actuator(leg.i, rho);
-    }
+    const Matrix3<T> r = place_free(at, platform, q);
+    for (std::size_t i = 0; i < 6; ++i)
+      place_ups<T>(at, legs[i], {a_[i].cast<T>(), p + r * b_[i]}, e1_[i].cast<T>(),
+                   "a leg points along the first axis of its Cardan joint on the base, which leaves its spin undetermined");
   }
 
   // rho_i' = u_i . B_i': a drive's force acts along its leg.
   template <class T>
   Matrix6<T> jacobian(const Placement<T>& at) const {
     Matrix6<T> g;
-    for (const Leg leg : legs_) force_row<T>(g, leg.i, at.axis(leg.p), at.centre(leg.b) - at.origin(platform));
+    for (const Leg& leg : legs) force_row<T>(g, leg.drive, at.axis(leg.slide), at.centre(leg.high) - at.origin(platform));
     return g;
   }
 
   // The paper's matrices. Constraint equations f_i = rho_i^2 - v_i . v_i = 0, X = (x, y, z, alpha, beta, gamma):
-  //     A X' + B rho' = 0,  A = df/dX = -2 v_i . dB_i/dX,  B = df/drho = 2 rho_i;    t = D X',  D = (I, 0; 0, L)
-  // The columns of L are the axes of the three turns, z0, x1, y2, about which B_i moves: dB_i/dalpha = z0 x R b_i and so on.
+  //     A X' + B rho' = 0,  A = df/dX = -2 v_i . dB_i/dX,  B = df/drho = 2 rho_i;    t = D X'
   std::vector<MatrixXd> matrices(const Coordinates<double>& q, const Placement<double>& at) const {
-    Matrix6<double> a, b = Matrix6<double>::Zero(), d = Matrix6<double>::Identity();
-    d.bottomRightCorner<3, 3>() << Vector3d::UnitZ(), Vector3d(cos(q[3]), sin(q[3]), 0), at.rotation(platform).col(1);
-    for (const Leg leg : legs_) {
-      const Vector3d v = at.centre(leg.b) - at.centre(leg.a), arm = at.centre(leg.b) - at.origin(platform);
-      for (int k = 0; k < 3; ++k) {
-        a(leg.i, k) = -2 * v(k);
-        a(leg.i, k + 3) = -2 * v.dot(d.col(k + 3).tail<3>().cross(arm));
-      }
-      b(leg.i, leg.i) = 2 * at.actuator(leg.i);
+    Matrix6<double> a, b = Matrix6<double>::Zero();
+    const Matrix6<double> d = twist_map(q, at.rotation(platform));
+    for (const Leg& leg : legs) {
+      const Vector3d v = at.centre(leg.high) - at.centre(leg.low);
+      a.row(leg.drive) = -2 * v.transpose() * point_partials(d, at.centre(leg.high) - at.origin(platform));
+      b(leg.drive, leg.drive) = 2 * at.actuator(leg.drive);
     }
     return {a, b, d};
   }
@@ -104,10 +85,9 @@ class Gough : public Mechanism<6> {
  private:
   Topology describe(const Parameters& p) const;
 
-  static constexpr Leg legs_[] = {{0}, {1}, {2}, {3}, {4}, {5}};
-
   std::array<Vector3d, 6> a_, b_, e1_;  // A_i and e1 in base axes, b_i in platform axes
   std::array<double, 6> home_{};
+  Range stroke_{};
   double mean_length_ = 0;  // of the legs at home
   Topology topology_;
 };
@@ -134,7 +114,7 @@ Gough::Gough(const Parameters& p) {
   }
   a_ = points(p, "base_points", p["base_radius"], azimuth_a);
   b_ = points(p, "platform_points", p["platform_radius"], azimuth_b);
-  if (p["stroke_min"] >= p["stroke_max"]) refuse("stroke_min must be less than stroke_max");
+  stroke_ = range_of(p, "stroke_min", "stroke_max");
 
   std::ranges::copy(p.numbers("home_position"), home_.begin());
   std::ranges::copy(p.numbers("home_angles"), home_.begin() + 3);
@@ -153,28 +133,21 @@ Gough::Gough(const Parameters& p) {
 
 Topology Gough::describe(const Parameters& p) const {
   Topology t;
-  for (std::size_t k = 0; k < 6; ++k)
-    t.coordinates.push_back(
-        Coordinate::around(home_[k], k < 3 ? 0.2 * mean_length_ : 20 * deg, pose_names[k], pose_titles[k], k < 3 ? "m" : "rad"));
-  const double cylinder = p["cylinder_length"], rod = p["rod_length"];
+  t.coordinates = free_pose(home_, 0.2 * mean_length_, 20 * deg);
   t.platform =
       t.add(Body{"platform", 0, false, Inertia::solid_cylinder(p["platform_mass"], p["platform_thickness"], p["platform_radius"], 0)});
-  for (const Leg leg : legs_) {
-    const std::string n = std::to_string(leg.i + 1);
-    const Range turn{-p["base_cone"], p["base_cone"]};
-    t.add(
-        Body{"cylinder " + n, leg.i + 1, false, Inertia::solid_cylinder(p["cylinder_mass"], cylinder, p["cylinder_radius"], cylinder / 2)});
-    t.add(Body{"rod " + n, leg.i + 1, false, Inertia::solid_cylinder(p["rod_mass"], rod, p["rod_radius"], -rod / 2)});
-    t.add(Joint{"A" + n, JointKind::universal, 0, leg.cylinder, {turn, turn}});
-    t.add(Joint{"P" + n, JointKind::prismatic, leg.cylinder, leg.rod, {}});
-    t.add(Joint{"B" + n, JointKind::spherical, leg.rod, platform, {{0, p["platform_cone"]}}});
-    t.add(Actuator{"rho" + n, "length of leg " + n, "m", leg.p, {p["stroke_min"], p["stroke_max"]}});
-    t.draw_along_axis(leg.cylinder, 0, std::min(cylinder, 0.95 * p["stroke_min"]), p["cylinder_radius"]);
-    t.draw_along_axis(leg.rod, -std::min(rod, 0.95 * p["stroke_min"]), 0, p["rod_radius"]);
+  const double cylinder = p["cylinder_length"], rod = p["rod_length"], shortest = 0.95 * stroke_.min;
+  const Telescope telescope{
+      "cylinder ", "rod ", "rho", "length of leg ", solid_cylinder(p, "cylinder", 0, cylinder), solid_cylinder(p, "rod", -rod, 0), stroke_};
+  const Range turn = either_way(p["base_cone"]), cone = up_to(p["platform_cone"]);
+  for (const Leg& leg : legs) {
+    const std::string n = std::to_string(leg.limb);
+    add_leg(t, leg, n, telescope, {"A" + n, JointKind::universal, 0, leg.cylinder, {turn, turn}},
+            {"B" + n, JointKind::spherical, leg.piston, platform, {cone}});
+    t.draw_along_axis(leg.cylinder, 0, std::min(cylinder, shortest), p["cylinder_radius"]);
+    t.draw_along_axis(leg.piston, -std::min(rod, shortest), 0, p["rod_radius"]);
   }
-  t.matrices = {{"A", "constraint equations by the pose", 6, 6, Rates::coordinates, Rates::none, 0},
-                {"B", "constraint equations by the drives", 6, 6, Rates::actuators, Rates::none, 0},
-                {"D", "twist from the rates of the pose", 6, 6, Rates::coordinates, Rates::twist, 1}};
+  t.matrices = constraint_matrices();
   return t;
 }
 }  // namespace

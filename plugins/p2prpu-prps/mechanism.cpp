@@ -6,7 +6,9 @@
 //     A_1 = (0, l_y, 0)    A_2,3 = (l_x, +-L/2, 0)    e_1 = R (sigma h, 0, 0)    e_2,3 = +-R (0, e/2, 0)    R = Rx(alpha) Ry(beta)
 // Each limb turns about one axis, Y or X, and stays in the plane across it: limb 1 in Y = l_y, limbs 2 and 3 in X = l_x. Hence (Eq. 4)
 //     l_x = x    l_y = y + sigma h sin(alpha) sin(beta)    l_i = |C_i - A_i|
+#include <pmreport/leg.hpp>
 #include <pmreport/mechanism.hpp>
+#include <pmreport/parts.hpp>
 
 using namespace pmreport;
 using Eigen::Vector3d;
@@ -17,11 +19,7 @@ constexpr double platform_inertia[] = {0.12, 0.06, 0.17, 0, 0, 0};
 
 constexpr int platform = 1, carriage = 2, slider = 3;
 constexpr int px = 0, py = 1;  // joints
-struct Limb {                  // bodies and joints of limb i = 0..2
-  int i, lower = 4 + 2 * i, upper = 5 + 2 * i, r = 2 + 3 * i, p = 3 + 3 * i, c = 4 + 3 * i;
-  int slide() const { return i == 0 ? slider : carriage; }
-};
-constexpr Limb limbs[] = {{0}, {1}, {2}};
+constexpr auto limbs = legs<3>(slider + 1, py + 1, 2);
 
 class P2PrpuPrps : public Mechanism<5> {
  public:
@@ -83,20 +81,14 @@ class P2PrpuPrps : public Mechanism<5> {
     at.actuator(0, lx);
     at.actuator(1, ly);
 
-    for (const Limb limb : limbs) {
-      const Vector3<T> along = c[limb.i] - a[limb.i];
-      const T l = length(along);
-      const Vector3<T> d = along * T(1.0 / l);
-      const Matrix3<T> turned = frame_xz<T>(limb.i == 0 ? Vector3<T>(y_axis.cross(d)) : x_axis, d);
-      at.body(limb.lower, a[limb.i], turned);
-      at.body(limb.upper, c[limb.i], turned);
-      at.joint(limb.r, a[limb.i], limb.i == 0 ? y_axis : x_axis);
-      at.joint(limb.p, c[limb.i], d);
-      if (limb.i == 0)
-        at.joint(limb.c, c[limb.i]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Line<T> line(a[i], c[i]);
+      place_leg<T>(at, limbs[i], line, i == 0 ? Vector3<T>(y_axis.cross(line.n)) : x_axis);
+      at.joint(limbs[i].low, a[i], i == 0 ? y_axis : x_axis);
+      if (i == 0)
+        at.joint(limbs[i].high, c[i]);
       else
-        at.joint(limb.c, c[limb.i], x_axis, r.col(1));
-      at.actuator(2 + limb.i, l);
+        at.joint(limbs[i].high, c[i], x_axis, r.col(1));
     }
   }
 
@@ -108,9 +100,9 @@ class P2PrpuPrps : public Mechanism<5> {
     const Vector3<T> o = at.origin(platform), x_axis = at.axis(px);
     Matrix6<T> g;
     force_row<T>(g, 0, x_axis, Vector3<T>::Zero());
-    force_row<T>(g, 1, at.axis(py), at.centre(limbs[0].c) - o);
-    for (const Limb limb : limbs) force_row<T>(g, 2 + limb.i, at.axis(limb.p), at.centre(limb.c) - o);
-    couple_row<T>(g, 5, x_axis.cross(at.axis(limbs[1].c, 1)));
+    force_row<T>(g, 1, at.axis(py), at.centre(limbs[0].high) - o);
+    for (const Leg& limb : limbs) force_row<T>(g, limb.drive, at.axis(limb.slide), at.centre(limb.high) - o);
+    couple_row<T>(g, 5, x_axis.cross(at.axis(limbs[1].high, 1)));
     return g;
   }
 
@@ -118,8 +110,8 @@ class P2PrpuPrps : public Mechanism<5> {
   std::vector<Eigen::MatrixXd> matrices(const Coordinates<double>& q, const Placement<double>& at) const {
     const double ca = cos(q[3]), sa = sin(q[3]), cb = cos(q[4]), sb = sin(q[4]);
     Matrix6<double> jm = jacobian(at);
-    force_row<double>(jm, 0, at.axis(px), at.centre(limbs[1].c) - at.origin(platform));
-    const Vector3d d1 = at.axis(limbs[0].p), d2 = at.axis(limbs[1].p), d3 = at.axis(limbs[2].p);
+    force_row<double>(jm, 0, at.axis(px), at.centre(limbs[1].high) - at.origin(platform));
+    const Vector3d d1 = at.axis(limbs[0].slide), d2 = at.axis(limbs[1].slide), d3 = at.axis(limbs[2].slide);
     Eigen::MatrixXd jd(5, 5);
     jd << 1, 0, 0, 0, 0,                                                                     //
         0, 1, 0, e1_ * ca * sb, e1_ * sa * cb,                                               //
@@ -137,9 +129,9 @@ class P2PrpuPrps : public Mechanism<5> {
     const Matrix6<double> twists = jacobian(at).inverse();
     const Vector3d o = at.origin(platform), normal = at.rotation(platform).col(2);
     std::vector<double> mu, tilt;
-    for (const Limb limb : limbs) {
-      const auto twist = twists.col(2 + limb.i);
-      const Vector3d delta = at.axis(limb.p), v = twist.head<3>() + twist.tail<3>().cross(at.centre(limb.c) - o);
+    for (const Leg& limb : limbs) {
+      const auto twist = twists.col(limb.drive);
+      const Vector3d delta = at.axis(limb.slide), v = twist.head<3>() + twist.tail<3>().cross(at.centre(limb.high) - o);
       mu.push_back(abs(delta.dot(v)) / v.norm());
       tilt.push_back(atan2(delta.cross(normal).norm(), delta.dot(normal)));  // Eqs. (18), (19)
     }
@@ -151,13 +143,16 @@ class P2PrpuPrps : public Mechanism<5> {
   void draw(Topology& t, const Parameters& p) const;
 
   double gauge_, e1_, e2_;  // L, sigma h, e/2
+  Range limb_, travel_;     // strokes
   Topology topology_;
 };
 
 P2PrpuPrps::P2PrpuPrps(const Parameters& p)
-    : gauge_(p["gauge"]), e1_(p["platform_arm"] * (p.choice("sigma") == "-1" ? -1 : 1)), e2_(p["platform_width"] / 2) {
-  if (p["limb_min"] >= p["limb_max"]) refuse("limb_min must be less than limb_max");
-  if (p["lx_min"] >= p["lx_max"]) refuse("lx_min must be less than lx_max");
+    : gauge_(p["gauge"]),
+      e1_(p["platform_arm"] * (p.choice("sigma") == "-1" ? -1 : 1)),
+      e2_(p["platform_width"] / 2),
+      limb_(range_of(p, "limb_min", "limb_max")),
+      travel_(range_of(p, "lx_min", "lx_max")) {
   topology_ = describe(p);
 }
 
@@ -174,26 +169,24 @@ Topology P2PrpuPrps::describe(const Parameters& p) const {
   t.add(Body{"slider", 1, false, {p["slider_mass"]}});
   t.add(Joint{"PX", JointKind::prismatic, 0, carriage, {}});
   t.add(Joint{"PY", JointKind::prismatic, 0, slider, {}});
-  t.add(Actuator{"lx", "travel of the carriage", "m", px, {p["lx_min"], p["lx_max"]}});
-  t.add(Actuator{"ly", "travel of the slider", "m", py, {-p["ly_max"], p["ly_max"]}});
+  t.add(Actuator{"lx", "travel of the carriage", "m", px, travel_});
+  t.add(Actuator{"ly", "travel of the slider", "m", py, either_way(p["ly_max"])});
 
-  const auto lower = Inertia::axisymmetric(p["lower_mass"], p["lower_centre"], p["lower_inertia"], p["lower_axial_inertia"]);
-  const auto upper = Inertia::axisymmetric(p["upper_mass"], -p["upper_centre"], p["upper_inertia"], p["upper_axial_inertia"]);
+  const Telescope telescope{
+      "lower ", "upper ", "l", "length of limb ", axisymmetric(p, "lower", p["lower_centre"]), axisymmetric(p, "upper", -p["upper_centre"]),
+      limb_};
   // The paper's angles count from Z and from the platform's normal, a joint's from home, where the limb stands `home` off both. Of S1 the
   // declared cone about home holds the paper's about the normal; S1_tilt is the angle that the paper limits.
   const double across[] = {x + e1_, gauge_ / 2 - e2_, e2_ - gauge_ / 2};
-  for (const Limb limb : limbs) {
-    const std::string n = std::to_string(limb.i + 1);
-    const double home = atan2(across[limb.i], z), reach = p["limb_angle"], bend = p["universal_angle"];
-    t.add(Body{"lower " + n, limb.i + 1, false, lower});
-    t.add(Body{"upper " + n, limb.i + 1, false, upper});
-    t.add(Joint{"R" + n + "1", JointKind::revolute, limb.slide(), limb.lower, {{-reach - home, reach - home}}});
-    t.add(Joint{"P" + n, JointKind::prismatic, limb.lower, limb.upper, {}});
-    if (limb.i == 0)
-      t.add(Joint{"S" + n, JointKind::spherical, limb.upper, platform, {{0, abs(home) + p["ball_angle"]}}});
-    else
-      t.add(Joint{"U" + n, JointKind::universal, limb.upper, platform, {{-bend + home, bend + home}, {-bend, bend}}});
-    t.add(Actuator{"l" + n, "length of limb " + n, "m", limb.p, {p["limb_min"], p["limb_max"]}});
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Leg& limb = limbs[i];
+    const std::string n = std::to_string(limb.limb);
+    const double home = atan2(across[i], z), reach = p["limb_angle"], bend = p["universal_angle"];
+    const Joint ball{"S" + n, JointKind::spherical, limb.piston, platform, {up_to(abs(home) + p["ball_angle"])}},
+        cardan{"U" + n, JointKind::universal, limb.piston, platform, {{-bend + home, bend + home}, either_way(bend)}};
+    add_leg(t, limb, n, telescope,
+            {"R" + n + "1", JointKind::revolute, i == 0 ? slider : carriage, limb.cylinder, {{-reach - home, reach - home}}},
+            i == 0 ? ball : cardan);
   }
   for (const char* n : {"1", "2", "3"}) t.readings.push_back({std::string("mu") + n, std::string("transmission index of limb ") + n, ""});
   t.readings.push_back({"mu", "transmission index, the least of the limbs'", ""});
@@ -208,7 +201,7 @@ Topology P2PrpuPrps::describe(const Parameters& p) const {
 
 void P2PrpuPrps::draw(Topology& t, const Parameters& p) const {
   const double s = p["home_height"], end = std::min(p["lx_max"], 2 * p["home_x"]) + 0.08 * s, side = gauge_ / 2;
-  const double reach = std::min(p["ly_max"], gauge_) + 0.08 * s, tube = 0.95 * p["limb_min"], z = -0.05 * s;
+  const double reach = std::min(p["ly_max"], gauge_) + 0.08 * s, tube = 0.95 * limb_.min, z = -0.05 * s;
   const auto bar = [&](int body, Vector3d a, Vector3d b) { t.shapes.push_back({body, ShapeKind::cylinder, a, b, 0.018 * s}); };
   const auto block = [&](int body, double y) { t.shapes.push_back({body, ShapeKind::box, {0, y, z}, Vector3d(0.05, 0.05, 0.032) * s}); };
   for (const double y : {-side, side}) {
@@ -220,10 +213,7 @@ void P2PrpuPrps::draw(Topology& t, const Parameters& p) const {
   bar(0, {end, -side, z}, {end, side, z});
   bar(carriage, {0, -side, z}, {0, side, z});
   block(slider, 0);
-  for (const Limb limb : limbs) {
-    t.draw_along_axis(limb.lower, 0, tube, 0.024 * s);
-    t.draw_along_axis(limb.upper, -tube, 0, 0.014 * s);
-  }
+  for (const Leg& limb : limbs) draw_leg(t, limb, tube, 0.024 * s, 0.014 * s);
 }
 }  // namespace
 PMREPORT_PLUGIN(P2PrpuPrps)

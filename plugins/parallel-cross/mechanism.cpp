@@ -3,27 +3,20 @@
 // Notation of the paper; README.md beside this file says what of it reproduces and where it errs. Leg i runs from A_i on the base to
 // B_i = P + R b_i on the platform, R = Rz(alpha) Rx(beta) Ry(gamma). v_i = A_iB_i, rho_i = |v_i|, u_i = v_i / rho_i. Cross chain i runs
 // from C_i = A_i + l1 u_i on leg i to D_j = A_j + l2 u_j on leg j, the next one; w_i = C_iD_j, rho_{3+i} = |w_i|, f_i = w_i / rho_{3+i}.
+#include <pmreport/free_platform.hpp>
+#include <pmreport/leg.hpp>
 #include <pmreport/mechanism.hpp>
+#include <pmreport/parts.hpp>
 
 using namespace pmreport;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 namespace {
 constexpr double pi = std::numbers::pi, deg = pi / 180;
-constexpr const char* pose_names[] = {"x", "y", "z", "alpha", "beta", "gamma"};
-constexpr const char* pose_titles[] = {"X position", "Y position", "Z position", "turn about z0", "turn about x1", "turn about y2"};
 constexpr const char* variants[] = {"inner", "outer"};
 
 constexpr int platform = 1;
-struct Chain {  // bodies and joints of chain i: legs 0..2, cross chains 3..5
-  int i, cylinder = 2 + 2 * i, rod = 3 + 2 * i, lower = 3 * i, slide = 3 * i + 1, upper = 3 * i + 2;
-};
-
-// Body frame of a chain along u: x along the second axis of its Cardan joint, across the first and the chain; z along the chain.
-template <class T>
-Matrix3<T> cardan_frame(const Vector3<T>& e1, const Vector3<T>& u) {
-  return frame_xz(unit(Vector3<T>(e1.cross(u))), u);
-}
+constexpr auto chains = legs<6>(platform + 1);  // legs 0..2, cross chains 3..5, each from a ball to a Cardan joint
 
 class ParallelCross : public Mechanism<6> {
  public:
@@ -67,14 +60,13 @@ class ParallelCross : public Mechanism<6> {
   template <class T>
   void place(const Coordinates<T>& q, Placement<T>& at) const {
     const Vector3<T> p(q[0], q[1], q[2]);
-    const Matrix3<T> r = rotation_zxy(q[3], q[4], q[5]);
-    at.body(platform, p, r);
+    const Matrix3<T> r = place_free(at, platform, q);
     std::array<Matrix3<T>, 3> leg;  // the legs' body frames; u_i is their third column
-    for (const std::size_t i : {0u, 1u, 2u}) leg[i] = chain<T>(at, int(i), a_[i].cast<T>(), p + r * b_[i], r * e1_[i]);
+    for (const std::size_t i : {0u, 1u, 2u}) leg[i] = chain<T>(at, i, {a_[i].cast<T>(), p + r * b_[i]}, r * e1_[i]);
     for (const std::size_t i : {0u, 1u, 2u}) {
       const std::size_t j = (i + 1) % 3;
       const Vector3<T> ui = leg[i].col(2), uj = leg[j].col(2);
-      const Vector3<T> f = chain<T>(at, int(3 + i), ui * l1_ + a_[i], uj * l2_ + a_[j], leg[j] * e1_[3 + i]).col(2);
+      const Vector3<T> f = chain<T>(at, 3 + i, {ui * l1_ + a_[i], uj * l2_ + a_[j]}, leg[j] * e1_[3 + i]).col(2);
       at.derived(int(2 * i), acos(T(ui.dot(f))));
       at.derived(int(2 * i + 1), acos(T(uj.dot(f))));
     }
@@ -86,69 +78,52 @@ class ParallelCross : public Mechanism<6> {
   template <class T>
   Matrix6<T> jacobian(const Placement<T>& at) const {
     Matrix6<T> g;
-    const auto arm = [&](int i) { return Vector3<T>(at.centre(Chain{i}.upper) - at.origin(platform)); };
-    for (int i = 0; i < 3; ++i) {
-      force_row<T>(g, i, at.axis(Chain{i}.slide), arm(i));
-      const int j = (i + 1) % 3;
-      const Vector3<T> f = at.axis(Chain{3 + i}.slide), ui = at.axis(Chain{i}.slide), uj = at.axis(Chain{j}.slide);
-      const Vector3<T> fi = (f - ui * ui.dot(f)) * T(l1_ / at.actuator(i)), fj = (f - uj * uj.dot(f)) * T(l2_ / at.actuator(j));
+    const auto arm = [&](const Leg& leg) { return Vector3<T>(at.centre(leg.high) - at.origin(platform)); };
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Leg &i = chains[k], &j = chains[(k + 1) % 3], &cross = chains[3 + k];
+      force_row<T>(g, i.drive, at.axis(i.slide), arm(i));
+      const Vector3<T> f = at.axis(cross.slide), ui = at.axis(i.slide), uj = at.axis(j.slide);
+      const Vector3<T> fi = (f - ui * ui.dot(f)) * T(l1_ / at.actuator(i.drive)), fj = (f - uj * uj.dot(f)) * T(l2_ / at.actuator(j.drive));
       const Vector3<T> moment = arm(j).cross(fj) - arm(i).cross(fi);
-      for (int k = 0; k < 3; ++k) g(3 + i, k) = fj(k) - fi(k), g(3 + i, k + 3) = moment(k);
+      for (int c = 0; c < 3; ++c) g(cross.drive, c) = fj(c) - fi(c), g(cross.drive, c + 3) = moment(c);
     }
     return g;
   }
 
   // The paper's matrices. Constraint equations, X = (x, y, z, alpha, beta, gamma):
   //     f_i = rho_i^2 - v_i . v_i = 0,   f_{3+i} = rho_{3+i}^2 - w_i . w_i = 0,   w_i = A_iA_j + (l2 / rho_j) v_j - (l1 / rho_i) v_i
-  //     A X' + B rho' = 0,  A = df/dX,  B = df/drho;   t = D X',  D = (I, 0; 0, L)
-  // with the axes of the three turns, z0, x1, y2, for columns of L: dB_i/dX = (I, z0 x R b_i, x1 x R b_i, y2 x R b_i).
+  //     A X' + B rho' = 0,  A = df/dX,  B = df/drho;   t = D X'
   std::vector<MatrixXd> matrices(const Coordinates<double>& q, const Placement<double>& at) const {
-    Matrix6<double> a, b = Matrix6<double>::Zero(), d = Matrix6<double>::Identity();
-    d.bottomRightCorner<3, 3>() << Vector3d::UnitZ(), Vector3d(cos(q[3]), sin(q[3]), 0), at.rotation(platform).col(1);
-    const auto partials = [&](int i) {  // dB_i/dX
-      Eigen::Matrix<double, 3, 6> e = d.topRows<3>();
-      for (int k = 3; k < 6; ++k) e.col(k) = d.col(k).tail<3>().cross(at.centre(Chain{i}.upper) - at.origin(platform));
-      return e;
-    };
-    const auto span = [&](int i) { return Vector3d(at.centre(Chain{i}.upper) - at.centre(Chain{i}.lower)); };  // v_i, w_i
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3, c = 3 + i;
+    Matrix6<double> a, b = Matrix6<double>::Zero();
+    const Matrix6<double> d = twist_map(q, at.rotation(platform));
+    const auto partials = [&](const Leg& leg) { return point_partials(d, at.centre(leg.high) - at.origin(platform)); };  // dB_i/dX
+    const auto span = [&](const Leg& chain) { return Vector3d(at.centre(chain.high) - at.centre(chain.low)); };          // v_i, w_i
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Leg &leg_i = chains[k], &leg_j = chains[(k + 1) % 3], &cross = chains[3 + k];
+      const int i = leg_i.drive, j = leg_j.drive, c = cross.drive;
       const double rho_i = at.actuator(i), rho_j = at.actuator(j);
-      const Vector3d w = span(c);
-      a.row(i) = -2 * span(i).transpose() * partials(i);
-      a.row(c) = -2 * w.transpose() * (l2_ / rho_j * partials(j) - l1_ / rho_i * partials(i));
+      const Vector3d w = span(cross);
+      a.row(i) = -2 * span(leg_i).transpose() * partials(leg_i);
+      a.row(c) = -2 * w.transpose() * (l2_ / rho_j * partials(leg_j) - l1_ / rho_i * partials(leg_i));
       b(i, i) = 2 * rho_i;
       b(c, c) = 2 * at.actuator(c);
-      b(c, i) = -2 * l1_ / (rho_i * rho_i) * w.dot(span(i));
-      b(c, j) = 2 * l2_ / (rho_j * rho_j) * w.dot(span(j));
+      b(c, i) = -2 * l1_ / (rho_i * rho_i) * w.dot(span(leg_i));
+      b(c, j) = 2 * l2_ / (rho_j * rho_j) * w.dot(span(leg_j));
     }
     return {a, b, d};
   }
 
  private:
-  // A chain from its ball joint to its Cardan joint, whose first axis is e1: without spin, since the second lies across e1. Its body frame.
   template <class T>
-  static Matrix3<T> chain(Placement<T>& at, const int i, const Vector3<T>& from, const Vector3<T>& to, const Vector3<T>& e1) {
-    const Chain k{i};
-    const Vector3<T> span = to - from;
-    const T rho = length(span);
-    const Vector3<T> u = span * T(1.0 / rho);
-    at.require(length(Vector3<T>(e1.cross(u))) - 1e-6,
-               "a chain points along the first axis of its Cardan joint, and its spin is undetermined");
-    const Matrix3<T> frame = cardan_frame(e1, u);
-    at.body(k.cylinder, from, frame);
-    at.body(k.rod, to, frame);
-    at.joint(k.lower, from);
-    at.joint(k.slide, to, u);
-    at.joint(k.upper, to, e1, frame.col(0));
-    at.actuator(i, rho);
-    return frame;
+  static Matrix3<T> chain(Placement<T>& at, std::size_t i, const Line<T>& line, const Vector3<T>& e1) {
+    return place_spu(at, chains[i], line, e1, "a chain points along the first axis of its Cardan joint, and its spin is undetermined");
   }
   Topology describe(const Parameters& p) const;
 
   std::array<Vector3d, 3> a_, b_;  // A_i in base axes, b_i in platform axes
   std::array<Vector3d, 6> e1_;     // first Cardan axes: of B_i in platform axes, of D_j in the body axes of leg j
   double l1_ = 0, l2_ = 0;
+  Range leg_stroke_{}, cross_stroke_{};
   double cross_home_ = 0;  // length of the cross chains at home, all three alike
   Topology topology_;
 };
@@ -162,8 +137,7 @@ ParallelCross::ParallelCross(const Parameters& p) {
   if (std::max(l1_, l2_) > p["leg_cylinder_length"])
     refuse("attachments: C and D sit on the leg's cylinder, which ends leg_cylinder_length beyond A");
   if (l1_ == 0 && l2_ == 0) refuse("attachments: l1 and l2 are both zero, and a cross chain between feet of legs moves nothing");
-  for (const std::string kind : {"leg", "cross"})
-    if (p[kind + "_min"] >= p[kind + "_max"]) refuse(kind, "_min must be less than ", kind, "_max");
+  leg_stroke_ = range_of(p, "leg_min", "leg_max"), cross_stroke_ = range_of(p, "cross_min", "cross_max");
 
   std::array<Matrix3<double>, 3> leg;  // at home
   for (const std::size_t i : {0u, 1u, 2u}) {
@@ -171,7 +145,8 @@ ParallelCross::ParallelCross(const Parameters& p) {
     a_[i] = p["base_radius"] * Vector3d(cos(delta), sin(delta), 0);
     b_[i] = p["platform_radius"] * Vector3d(cos(delta), sin(delta), 0);
     e1_[i] = {-sin(delta), cos(delta), 0};
-    leg[i] = cardan_frame<double>(e1_[i], (b_[i] + Vector3d(0, 0, p["home_height"]) - a_[i]).normalized());
+    const Vector3d u = (b_[i] + Vector3d(0, 0, p["home_height"]) - a_[i]).normalized();
+    leg[i] = frame_xz(unit(Vector3d(e1_[i].cross(u))), u);
   }
   for (const std::size_t i : {0u, 1u, 2u}) {
     const std::size_t j = (i + 1) % 3;
@@ -186,53 +161,51 @@ ParallelCross::ParallelCross(const Parameters& p) {
 Topology ParallelCross::describe(const Parameters& p) const {
   Topology t;
   const double height = p["home_height"];
-  for (std::size_t k = 0; k < 6; ++k)
-    t.coordinates.push_back(
-        Coordinate::around(k == 2 ? height : 0, k < 3 ? 0.15 * height : 10 * deg, pose_names[k], pose_titles[k], k < 3 ? "m" : "rad"));
+  t.coordinates = free_pose({0, 0, height, 0, 0, 0}, 0.15 * height, 10 * deg);
   t.coordinates[3].box = {-15 * deg, 5 * deg};  // turned the other way a singular surface is near: 9.7 degrees with the outer drives
   t.platform =
       t.add(Body{"platform", 0, false, Inertia::solid_cylinder(p["platform_mass"], p["platform_thickness"], p["platform_radius"], 0)});
-  const auto add_chain = [&](const std::string& kind, const Chain k, const Joint& lower, const Joint& upper, double bottom) {
-    const std::string n = std::to_string(k.i + 1);
-    const double top = p[kind + "_cylinder_length"], rod = p[kind + "_rod_length"];
-    t.add(Body{kind + " cylinder " + n, k.i + 1, false,
-               Inertia::solid_cylinder(p[kind + "_cylinder_mass"], top - bottom, p[kind + "_cylinder_radius"], (bottom + top) / 2)});
-    t.add(Body{kind + " rod " + n, k.i + 1, false, Inertia::solid_cylinder(p[kind + "_rod_mass"], rod, p[kind + "_rod_radius"], -rod / 2)});
-    t.add(lower);
-    t.add(Joint{"P" + n, JointKind::prismatic, k.cylinder, k.rod, {}});
-    t.add(upper);
-    t.add(Actuator{
-        "rho" + n, "length of " + (kind == "leg" ? kind : "cross chain") + " " + n, "m", k.slide, {p[kind + "_min"], p[kind + "_max"]}});
-  };
-  const Range base{0, p["base_cone"]}, tilt{-p["platform_cone"], p["platform_cone"]}, ball{0, p["cross_cone"]}, turn{-ball.max, ball.max};
   const double bottom = std::min({0.0, l1_, l2_});
+  const Telescope leg{"leg cylinder ",
+                      "leg rod ",
+                      "rho",
+                      "length of leg ",
+                      solid_cylinder(p, "leg_cylinder", bottom, p["leg_cylinder_length"]),
+                      solid_cylinder(p, "leg_rod", -p["leg_rod_length"], 0),
+                      leg_stroke_};
+  const Telescope cross{"cross cylinder ",
+                        "cross rod ",
+                        "rho",
+                        "length of cross chain ",
+                        solid_cylinder(p, "cross_cylinder", 0, p["cross_cylinder_length"]),
+                        solid_cylinder(p, "cross_rod", -p["cross_rod_length"], 0),
+                        cross_stroke_};
+  const Range base = up_to(p["base_cone"]), tilt = either_way(p["platform_cone"]);
+  const Range ball = up_to(p["cross_cone"]), turn = either_way(p["cross_cone"]);
   std::array cuts{bottom, l1_, l2_, p["leg_cylinder_length"]};  // drawn in pieces that end at C and D: their joints then show
   std::ranges::sort(cuts);
-  for (int i = 0; i < 3; ++i) {
-    const Chain k{i};
-    const std::string n = std::to_string(i + 1);
-    add_chain("leg", k, Joint{"A" + n, JointKind::spherical, 0, k.cylinder, {base}},
-              Joint{"B" + n, JointKind::universal, platform, k.rod, {tilt, tilt}}, bottom);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Leg& k = chains[i];
+    const std::string n = std::to_string(k.limb);
+    add_leg(t, k, n, leg, {"A" + n, JointKind::spherical, 0, k.cylinder, {base}},
+            {"B" + n, JointKind::universal, platform, k.piston, {tilt, tilt}});
     for (std::size_t c = 0; c < 3; ++c)
       if (cuts[c] < cuts[c + 1]) t.draw_along_axis(k.cylinder, cuts[c], cuts[c + 1], p["leg_cylinder_radius"]);
-    t.draw_along_axis(k.rod, -p["leg_rod_length"], 0, p["leg_rod_radius"]);
-    t.shapes.push_back({0, ShapeKind::cylinder, a_[std::size_t(i)], a_[std::size_t((i + 1) % 3)], p["leg_cylinder_radius"]});
+    t.draw_along_axis(k.piston, -p["leg_rod_length"], 0, p["leg_rod_radius"]);
+    t.shapes.push_back({0, ShapeKind::cylinder, a_[i], a_[(i + 1) % 3], p["leg_cylinder_radius"]});
   }
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    const Chain k{3 + i}, carries_c{i}, carries_d{j};
-    const std::string n = std::to_string(i + 1), m = std::to_string(j + 1);
-    add_chain("cross", k, Joint{"C" + n, JointKind::spherical, carries_c.cylinder, k.cylinder, {ball}},
-              Joint{"D" + m, JointKind::universal, carries_d.cylinder, k.rod, {turn, turn}}, 0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Leg &k = chains[3 + i], &carries_c = chains[i], &carries_d = chains[(i + 1) % 3];
+    const std::string n = std::to_string(carries_c.limb), m = std::to_string(carries_d.limb);
+    add_leg(t, k, std::to_string(k.limb), cross, {"C" + n, JointKind::spherical, carries_c.cylinder, k.cylinder, {ball}},
+            {"D" + m, JointKind::universal, carries_d.cylinder, k.piston, {turn, turn}});
     t.derived.push_back({"hinge_c" + n, "angle between leg " + n + " and the cross chain at C" + n, "rad"});
     t.derived.push_back({"hinge_d" + m, "angle between leg " + m + " and the cross chain at D" + m, "rad"});
     // Drawn as two stages that overlap over most of the stroke; one that is three times as long out as in needs more of them.
     t.draw_along_axis(k.cylinder, 0, 0.5 * cross_home_, p["cross_cylinder_radius"]);
-    t.draw_along_axis(k.rod, -0.7 * cross_home_, 0, p["cross_rod_radius"]);
+    t.draw_along_axis(k.piston, -0.7 * cross_home_, 0, p["cross_rod_radius"]);
   }
-  t.matrices = {{"A", "constraint equations by the pose", 6, 6, Rates::coordinates, Rates::none, 0},
-                {"B", "constraint equations by the drives", 6, 6, Rates::actuators, Rates::none, 0},
-                {"D", "twist from the rates of the pose", 6, 6, Rates::coordinates, Rates::twist, 1}};
+  t.matrices = constraint_matrices();
   return t;
 }
 }  // namespace

@@ -4,26 +4,19 @@
 // and where it errs. Leg i runs from A_i on the base to B_i = P + R b_i on the platform, R = Rz(alpha) Rx(beta) Ry(gamma). v_i = A_iB_i,
 // rho_i = |v_i|, u_i = v_i / rho_i. Cross chain i runs from C_i = A_j, the foot of the next leg, to D_i = A_i + l2 u_i on leg i;
 // w_i = C_iD_i, rho_{3+i} = |w_i|, f_i = w_i / rho_{3+i}.
+#include <pmreport/free_platform.hpp>
+#include <pmreport/leg.hpp>
 #include <pmreport/mechanism.hpp>
+#include <pmreport/parts.hpp>
 
 using namespace pmreport;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 namespace {
 constexpr double pi = std::numbers::pi, deg = pi / 180;
-constexpr const char* pose_names[] = {"x", "y", "z", "alpha", "beta", "gamma"};
-constexpr const char* pose_titles[] = {"X position", "Y position", "Z position", "turn about z0", "turn about x1", "turn about y2"};
 
 constexpr int platform = 1;
-struct Chain {  // bodies and joints of chain i: legs 0..2, cross chains 3..5
-  int i, cylinder = 2 + 2 * i, rod = 3 + 2 * i, lower = 3 * i, slide = 3 * i + 1, upper = 3 * i + 2;
-};
-
-// Body frame of a chain along u: x along the second axis of its Cardan joint, across the first and the chain; z along the chain.
-template <class T>
-Matrix3<T> cardan_frame(const Vector3<T>& e1, const Vector3<T>& u) {
-  return frame_xz(unit(Vector3<T>(e1.cross(u))), u);
-}
+constexpr auto chains = legs<6>(platform + 1);  // legs 0..2, cross chains 3..5, each from a ball to a Cardan joint
 
 class Stewart : public Mechanism<6> {
  public:
@@ -66,12 +59,11 @@ class Stewart : public Mechanism<6> {
   template <class T>
   void place(const Coordinates<T>& q, Placement<T>& at) const {
     const Vector3<T> p(q[0], q[1], q[2]);
-    const Matrix3<T> r = rotation_zxy(q[3], q[4], q[5]);
-    at.body(platform, p, r);
+    const Matrix3<T> r = place_free(at, platform, q);
     for (const std::size_t i : {0u, 1u, 2u}) {
-      const Matrix3<T> leg = chain<T>(at, int(i), a_[i].cast<T>(), p + r * b_[i], r * e1_[i]);
+      const Matrix3<T> leg = chain<T>(at, i, {a_[i].cast<T>(), p + r * b_[i]}, r * e1_[i]);
       const Vector3<T> u = leg.col(2);
-      const Vector3<T> f = chain<T>(at, int(3 + i), a_[(i + 1) % 3].cast<T>(), u * l2_ + a_[i], leg * e1_[3 + i]).col(2);
+      const Vector3<T> f = chain<T>(at, 3 + i, {a_[(i + 1) % 3].cast<T>(), u * l2_ + a_[i]}, leg * e1_[3 + i]).col(2);
       at.derived(int(i), acos(T(u.dot(f))));
     }
   }
@@ -81,68 +73,53 @@ class Stewart : public Mechanism<6> {
   template <class T>
   Matrix6<T> jacobian(const Placement<T>& at) const {
     Matrix6<T> g;
-    for (int i = 0; i < 3; ++i) {
-      const Chain leg{i}, cross{3 + i};
-      const Vector3<T> arm = at.centre(leg.upper) - at.origin(platform), u = at.axis(leg.slide), f = at.axis(cross.slide);
-      force_row<T>(g, i, u, arm);
-      force_row<T>(g, 3 + i, (f - u * u.dot(f)) * T(l2_ / at.actuator(i)), arm);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Leg &leg = chains[i], &cross = chains[3 + i];
+      const Vector3<T> arm = at.centre(leg.high) - at.origin(platform), u = at.axis(leg.slide), f = at.axis(cross.slide);
+      force_row<T>(g, leg.drive, u, arm);
+      force_row<T>(g, cross.drive, (f - u * u.dot(f)) * T(l2_ / at.actuator(leg.drive)), arm);
     }
     return g;
   }
 
   // The paper's matrices. Constraint equations, X = (x, y, z, alpha, beta, gamma):
   //     f_i = rho_i^2 - v_i . v_i = 0,   f_{3+i} = rho_{3+i}^2 - w_i . w_i = 0,   w_i = A_jA_i + (l2 / rho_i) v_i
-  //     A X' + B rho' = 0,  A = df/dX,  B = df/drho;   t = D X',  D = (I, 0; 0, L)
-  // with the axes of the three turns, z0, x1, y2, for columns of L: dB_i/dX = (I, z0 x R b_i, x1 x R b_i, y2 x R b_i).
+  //     A X' + B rho' = 0,  A = df/dX,  B = df/drho;   t = D X'
   std::vector<MatrixXd> matrices(const Coordinates<double>& q, const Placement<double>& at) const {
-    Matrix6<double> a, b = Matrix6<double>::Zero(), d = Matrix6<double>::Identity();
-    d.bottomRightCorner<3, 3>() << Vector3d::UnitZ(), Vector3d(cos(q[3]), sin(q[3]), 0), at.rotation(platform).col(1);
-    for (int i = 0; i < 3; ++i) {
-      const Chain leg{i}, cross{3 + i};
-      const Vector3d v = at.centre(leg.upper) - at.centre(leg.lower), w = at.centre(cross.upper) - at.centre(cross.lower);
+    Matrix6<double> a, b = Matrix6<double>::Zero();
+    const Matrix6<double> d = twist_map(q, at.rotation(platform));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Leg &leg = chains[k], &cross = chains[3 + k];
+      const int i = leg.drive, c = cross.drive;
+      const Vector3d v = at.centre(leg.high) - at.centre(leg.low), w = at.centre(cross.high) - at.centre(cross.low);
       const double rho = at.actuator(i);
-      Eigen::Matrix<double, 3, 6> partials = d.topRows<3>();  // dB_i/dX
-      for (int k = 3; k < 6; ++k) partials.col(k) = d.col(k).tail<3>().cross(at.centre(leg.upper) - at.origin(platform));
+      const auto partials = point_partials(d, at.centre(leg.high) - at.origin(platform));  // dB_i/dX
       a.row(i) = -2 * v.transpose() * partials;
-      a.row(3 + i) = -2 * l2_ / rho * w.transpose() * partials;
+      a.row(c) = -2 * l2_ / rho * w.transpose() * partials;
       b(i, i) = 2 * rho;
-      b(3 + i, 3 + i) = 2 * at.actuator(3 + i);
-      b(3 + i, i) = 2 * l2_ / (rho * rho) * w.dot(v);
+      b(c, c) = 2 * at.actuator(c);
+      b(c, i) = 2 * l2_ / (rho * rho) * w.dot(v);
     }
     return {a, b, d};
   }
 
  private:
-  // A chain from its ball joint to its Cardan joint, whose first axis is e1: without spin, since the second lies across e1. Its body frame.
   template <class T>
-  static Matrix3<T> chain(Placement<T>& at, const int i, const Vector3<T>& from, const Vector3<T>& to, const Vector3<T>& e1) {
-    const Chain k{i};
-    const Vector3<T> span = to - from;
-    const T rho = length(span);
-    const Vector3<T> u = span * T(1.0 / rho);
-    at.require(length(Vector3<T>(e1.cross(u))) - 1e-6,
-               "a chain points along the first axis of its Cardan joint, and its spin is undetermined");
-    const Matrix3<T> frame = cardan_frame(e1, u);
-    at.body(k.cylinder, from, frame);
-    at.body(k.rod, to, frame);
-    at.joint(k.lower, from);
-    at.joint(k.slide, to, u);
-    at.joint(k.upper, to, e1, frame.col(0));
-    at.actuator(i, rho);
-    return frame;
+  static Matrix3<T> chain(Placement<T>& at, std::size_t i, const Line<T>& line, const Vector3<T>& e1) {
+    return place_spu(at, chains[i], line, e1, "a chain points along the first axis of its Cardan joint, and its spin is undetermined");
   }
   Topology describe(const Parameters& p) const;
 
   std::array<Vector3d, 3> a_, b_;  // A_i in base axes, b_i in platform axes
   std::array<Vector3d, 6> e1_;     // first Cardan axes: of B_i in platform axes, of D_i in the body axes of leg i
   double l2_ = 0;
+  Range leg_stroke_{}, cross_stroke_{};
   double cross_home_ = 0;  // length of the cross chains at home, all three alike
   Topology topology_;
 };
 
 Stewart::Stewart(const Parameters& p) : l2_(p["attachment"]) {
-  for (const std::string kind : {"leg", "cross"})
-    if (p[kind + "_min"] >= p[kind + "_max"]) refuse(kind, "_min must be less than ", kind, "_max");
+  leg_stroke_ = range_of(p, "leg_min", "leg_max"), cross_stroke_ = range_of(p, "cross_min", "cross_max");
   if (l2_ > p["leg_cylinder_length"]) refuse("attachment: D sits on the leg's cylinder, which ends leg_cylinder_length beyond A");
   if (!(l2_ > 0)) refuse("attachment must be more than zero: a cross chain cannot turn its leg by the foot");
   std::array<Matrix3<double>, 3> leg;  // at home
@@ -151,7 +128,8 @@ Stewart::Stewart(const Parameters& p) : l2_(p["attachment"]) {
     a_[i] = p["base_radius"] * Vector3d(cos(delta), sin(delta), 0);
     b_[i] = p["platform_radius"] * Vector3d(cos(delta), sin(delta), 0);
     e1_[i] = {-sin(delta), cos(delta), 0};
-    leg[i] = cardan_frame<double>(e1_[i], (b_[i] + Vector3d(0, 0, p["home_height"]) - a_[i]).normalized());
+    const Vector3d u = (b_[i] + Vector3d(0, 0, p["home_height"]) - a_[i]).normalized();
+    leg[i] = frame_xz(unit(Vector3d(e1_[i].cross(u))), u);
   }
   for (const std::size_t i : {0u, 1u, 2u}) {
     const Vector3d u = leg[i].col(2), w = a_[i] + l2_ * u - a_[(i + 1) % 3], across = u.cross(w);
@@ -165,47 +143,46 @@ Stewart::Stewart(const Parameters& p) : l2_(p["attachment"]) {
 Topology Stewart::describe(const Parameters& p) const {
   Topology t;
   const double height = p["home_height"];
-  for (std::size_t k = 0; k < 6; ++k)
-    t.coordinates.push_back(
-        Coordinate::around(k == 2 ? height : 0, k < 3 ? 0.15 * height : 10 * deg, pose_names[k], pose_titles[k], k < 3 ? "m" : "rad"));
+  t.coordinates = free_pose({0, 0, height, 0, 0, 0}, 0.15 * height, 10 * deg);
   t.platform =
       t.add(Body{"platform", 0, false, Inertia::solid_cylinder(p["platform_mass"], p["platform_thickness"], p["platform_radius"], 0)});
-  const auto add_chain = [&](const std::string& kind, const Chain k, const Joint& lower, const Joint& upper) {
-    const std::string n = std::to_string(k.i + 1);
-    const double cylinder = p[kind + "_cylinder_length"], rod = p[kind + "_rod_length"];
-    t.add(Body{kind + " cylinder " + n, k.i + 1, false,
-               Inertia::solid_cylinder(p[kind + "_cylinder_mass"], cylinder, p[kind + "_cylinder_radius"], cylinder / 2)});
-    t.add(Body{kind + " rod " + n, k.i + 1, false, Inertia::solid_cylinder(p[kind + "_rod_mass"], rod, p[kind + "_rod_radius"], -rod / 2)});
-    t.add(lower);
-    t.add(Joint{"P" + n, JointKind::prismatic, k.cylinder, k.rod, {}});
-    t.add(upper);
-    t.add(Actuator{
-        "rho" + n, "length of " + (kind == "leg" ? kind : "cross chain") + " " + n, "m", k.slide, {p[kind + "_min"], p[kind + "_max"]}});
-  };
-  const Range base{0, p["base_cone"]}, tilt{-p["platform_cone"], p["platform_cone"]}, ball{0, p["cross_cone"]}, turn{-ball.max, ball.max};
-  for (int i = 0; i < 3; ++i) {
-    const Chain k{i};
-    const std::string n = std::to_string(i + 1);
-    add_chain("leg", k, Joint{"A" + n, JointKind::spherical, 0, k.cylinder, {base}},
-              Joint{"B" + n, JointKind::universal, platform, k.rod, {tilt, tilt}});
+  const Telescope leg{"leg cylinder ",
+                      "leg rod ",
+                      "rho",
+                      "length of leg ",
+                      solid_cylinder(p, "leg_cylinder", 0, p["leg_cylinder_length"]),
+                      solid_cylinder(p, "leg_rod", -p["leg_rod_length"], 0),
+                      leg_stroke_};
+  const Telescope cross{"cross cylinder ",
+                        "cross rod ",
+                        "rho",
+                        "length of cross chain ",
+                        solid_cylinder(p, "cross_cylinder", 0, p["cross_cylinder_length"]),
+                        solid_cylinder(p, "cross_rod", -p["cross_rod_length"], 0),
+                        cross_stroke_};
+  const Range base = up_to(p["base_cone"]), tilt = either_way(p["platform_cone"]);
+  const Range ball = up_to(p["cross_cone"]), turn = either_way(p["cross_cone"]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Leg& k = chains[i];
+    const std::string n = std::to_string(k.limb);
+    add_leg(t, k, n, leg, {"A" + n, JointKind::spherical, 0, k.cylinder, {base}},
+            {"B" + n, JointKind::universal, platform, k.piston, {tilt, tilt}});
     t.draw_along_axis(k.cylinder, 0, l2_, p["leg_cylinder_radius"]);  // in two pieces that end at D, whose joint then shows
     t.draw_along_axis(k.cylinder, l2_, p["leg_cylinder_length"], p["leg_cylinder_radius"]);
-    t.draw_along_axis(k.rod, -p["leg_rod_length"], 0, p["leg_rod_radius"]);
-    t.shapes.push_back({0, ShapeKind::cylinder, a_[std::size_t(i)], a_[std::size_t((i + 1) % 3)], p["leg_cylinder_radius"]});
+    t.draw_along_axis(k.piston, -p["leg_rod_length"], 0, p["leg_rod_radius"]);
+    t.shapes.push_back({0, ShapeKind::cylinder, a_[i], a_[(i + 1) % 3], p["leg_cylinder_radius"]});
   }
-  for (int i = 0; i < 3; ++i) {
-    const Chain leg{i}, k{3 + i};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Leg& k = chains[3 + i];
     const std::string n = std::to_string(i + 1);
-    add_chain("cross", k, Joint{"C" + n, JointKind::spherical, 0, k.cylinder, {ball}},
-              Joint{"D" + n, JointKind::universal, leg.cylinder, k.rod, {turn, turn}});
+    add_leg(t, k, std::to_string(k.limb), cross, {"C" + n, JointKind::spherical, 0, k.cylinder, {ball}},
+            {"D" + n, JointKind::universal, chains[i].cylinder, k.piston, {turn, turn}});
     t.derived.push_back({"hinge_d" + n, "angle between leg " + n + " and the cross chain at D" + n, "rad"});
     // Drawn as two stages that overlap over most of the stroke; one that is three times as long out as in needs more of them.
     t.draw_along_axis(k.cylinder, 0, 0.5 * cross_home_, p["cross_cylinder_radius"]);
-    t.draw_along_axis(k.rod, -0.7 * cross_home_, 0, p["cross_rod_radius"]);
+    t.draw_along_axis(k.piston, -0.7 * cross_home_, 0, p["cross_rod_radius"]);
   }
-  t.matrices = {{"A", "constraint equations by the pose", 6, 6, Rates::coordinates, Rates::none, 0},
-                {"B", "constraint equations by the drives", 6, 6, Rates::actuators, Rates::none, 0},
-                {"D", "twist from the rates of the pose", 6, 6, Rates::coordinates, Rates::twist, 1}};
+  t.matrices = constraint_matrices();
   return t;
 }
 }  // namespace

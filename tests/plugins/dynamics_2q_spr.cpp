@@ -2,39 +2,17 @@
 #include <core/mechanics/dynamics/drive.hpp>
 #include <core/mechanics/mobility/mobility.hpp>
 #include <tests/plugins/dynamics.hpp>
-#include <tests/plugins/two_q_spr.hpp>
+#include <tests/plugins/two_q_spr_cases.hpp>
 
 using namespace pmreport;
 using namespace pmreport::mechanics;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using nlohmann::json;
-using test::check_equal, test::number, test::vector, test::vector3;
+using test::check_equal, test::number, test::vector;
+using namespace test::two_q_spr_cases;
 
 namespace {
-
-ParameterValues parameters_of(const json& c, const json& meta) {
-  std::map<std::string, std::vector<double>> changes;
-  if (c["name"] == "B07_anisotropic") {
-    const json& other = meta["B07_B08_parameters"];
-    const json& i = other["I_o"];
-    changes["platform_inertia"] = {number(i[0][0]), number(i[1][1]), number(i[2][2]), number(i[0][1]), number(i[0][2]), number(i[1][2])};
-    const std::pair<const char*, const char*> inertias[] = {
-        {"cylinder", "Iq"}, {"piston", "Ip"}, {"upper_beam", "Ig"}, {"lower_beam", "IG"}};
-    for (const auto& [ours, theirs] : inertias) {
-      changes[std::string(ours) + "_inertia"] = {number(other[std::string(theirs) + "_t"])};
-      changes[std::string(ours) + "_axial_inertia"] = {number(other[std::string(theirs) + "_a"])};
-    }
-  }
-  return test::values_with(test::two_q_spr(), changes);
-}
-
-State state_of(const Machine& machine, const json& in) {
-  return test::state_at(machine, vector(in["p_free"]), test::matrix(in["rotation"]), vector(in["v_free"]), vector3(in["omega"]),
-                        vector(in["a_free"]), vector3(in["epsilon"]));
-}
-
-Vector3d gravity_of(const json& file) { return {0, 0, -number(file["meta"]["default_parameters"]["g"])}; }
 
 // Direction of limb 3, from B3 to b3.
 Vector3d delta3(const test::Dynamics& d) { return d.joint("R3").centre - d.joint("S3").centre; }
@@ -53,7 +31,7 @@ TEST_CASE("forces and reactions of the 2Q-SPR's reference cases come out to nine
       const json &in = c["input"], &out = c["output"];
       const Machine machine(test::two_q_spr(), parameters_of(c, file["meta"]));
       const State s = state_of(machine, in);
-      const test::Dynamics d(machine, s, {(Vector6d() << vector(in["F"]), vector(in["T"])).finished(), gravity_of(file)});
+      const test::Dynamics d(machine, s, {load_of(in), gravity_of(file)});
       // One case asks for forces before an efficiency, in the convention of the paper.
       const double efficiency = c["name"] == "B10_eta" ? number(file["meta"]["B10_parameters"]["eta"]) : 1.0;
       const VectorXd expected = vector(out["inverse_dynamics"]), forces = efficiency * expected;
@@ -114,7 +92,7 @@ TEST_CASE("the paper's efficiency asks too little of a rod that its load drives 
   const json& with = *std::find_if(file["cases"].begin(), file["cases"].end(), [](const json& c) { return c["name"] == "B10_eta"; });
   const Machine machine(test::two_q_spr(), parameters_of(with, file["meta"]));
   const State s = state_of(machine, with["input"]);
-  const test::Dynamics d(machine, s, {(Vector6d() << vector(with["input"]["F"]), vector(with["input"]["T"])).finished(), gravity_of(file)});
+  const test::Dynamics d(machine, s, {load_of(with["input"]), gravity_of(file)});
   const double efficiency = number(file["meta"]["B10_parameters"]["eta"]);
   DriveTrain paper{efficiency, EfficiencyConvention::always_divides}, physical{efficiency, EfficiencyConvention::by_power};
   const VectorXd expected = vector(with["output"]["inverse_dynamics"]);
@@ -139,7 +117,7 @@ TEST_CASE("six self-stresses of the 2Q-SPR stay inside its planar loops") {
     CAPTURE(c["name"]);
     const Machine machine(test::two_q_spr(), parameters_of(c, file["meta"]));
     const State s = state_of(machine, c["input"]);
-    const test::Dynamics d(machine, s, {(Vector6d() << vector(c["input"]["F"]), vector(c["input"]["T"])).finished(), gravity_of(file)});
+    const test::Dynamics d(machine, s, {load_of(c["input"]), gravity_of(file)});
     CHECK(d.reactions.stresses.size() == 6);
     d.check_least_norm();
     for (const char* joint : {"R11", "R14", "R15", "R21", "R24", "R25", "S3", "P3", "R3"}) {

@@ -3,45 +3,19 @@
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/generic_model.hpp>
-#include <tests/plugins/reference.hpp>
-#include <tests/plugins/two_q_spr.hpp>
+#include <tests/plugins/two_q_spr_cases.hpp>
 
 using namespace pmreport;
 using namespace pmreport::mechanics;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using nlohmann::json;
-using test::check_equal, test::number, test::vector, test::vector3, test::matrix;
+using test::check_equal, test::number, test::vector, test::vector3;
+using namespace test::two_q_spr_cases;
 
 namespace {
 
 constexpr double deg = std::numbers::pi / 180;
-
-ParameterValues parameters_of(const json& c, const json& meta) {
-  std::map<std::string, std::vector<double>> changes;
-  const std::string name = c["name"];
-  if (name == "B07_anisotropic") {
-    const json& other = meta["B07_B08_parameters"];
-    const json& i = other["I_o"];
-    changes["platform_inertia"] = {number(i[0][0]), number(i[1][1]), number(i[2][2]), number(i[0][1]), number(i[0][2]), number(i[1][2])};
-    const std::pair<const char*, const char*> inertias[] = {
-        {"cylinder", "Iq"}, {"piston", "Ip"}, {"upper_beam", "Ig"}, {"lower_beam", "IG"}};
-    for (const auto& [ours, theirs] : inertias) {
-      changes[std::string(ours) + "_inertia"] = {number(other[std::string(theirs) + "_t"])};
-      changes[std::string(ours) + "_axial_inertia"] = {number(other[std::string(theirs) + "_a"])};
-    }
-  }
-  return test::values_with(test::two_q_spr(), changes);
-}
-
-State state_of(const Machine& machine, const json& in) {
-  State s = test::state_at(machine, vector(in["p_free"]), matrix(in["rotation"]), vector(in["v_free"]), vector3(in["omega"]),
-                           vector(in["a_free"]), vector3(in["epsilon"]));
-  REQUIRE(s.status == PM_OK);
-  return s;
-}
-
-Vector6d load_of(const json& in) { return (Vector6d() << vector(in["F"]), vector(in["T"])).finished(); }
 
 const BodyState& body_named(const Machine& machine, const State& s, const std::string& name) {
   const auto& bodies = machine.topology().bodies;
@@ -132,7 +106,7 @@ TEST_CASE("joint angles of the 2Q-SPR's reference cases come out to nine digits"
 
 TEST_CASE("at rest the rods of the 2Q-SPR carry load and weights as the reference cases say") {
   const json file = test::reference("2q-spr.json");
-  const Vector3d gravity(0, 0, -number(file["meta"]["default_parameters"]["g"]));
+  const Vector3d gravity = gravity_of(file);
   int cases = 0;
   for (const json& c : file["cases"]) {
     const json& in = c["input"];

@@ -3,11 +3,7 @@
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/generic_model.hpp>
-#include <tests/plugins/four_sps_spr.hpp>
-#include <tests/plugins/reference.hpp>
-
-#include <Eigen/Geometry>
-#include <Eigen/LU>
+#include <tests/plugins/four_sps_spr_cases.hpp>
 
 using namespace pmreport;
 using namespace pmreport::mechanics;
@@ -15,63 +11,12 @@ using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using nlohmann::json;
-using test::check_equal, test::number, test::vector, test::vector3, test::tolerance;
+using test::check_equal, test::number, test::vector, test::tolerance;
+using namespace test::four_sps_spr_cases;
 
 namespace {
 
 constexpr double deg = std::numbers::pi / 180;
-
-// Angle rates and accelerations from the platform's angular velocity and acceleration. The three axes of Rz(alpha) Ry(beta) Rx(gamma) are
-// Z, Y1 (turned by alpha) and X2 (turned by alpha and beta): w = Z alpha' + Y1 beta' + X2 gamma'. The turning axes have the rates
-// Y1' = alpha' Z x Y1 and X2' = (alpha' Z + beta' Y1) x X2, which e = w' brings along.
-struct AngleRates {
-  Vector3d rates, accelerations;
-};
-AngleRates angle_rates(double alpha, double beta, const Vector3d& w, const Vector3d& e) {
-  const Vector3d z = Vector3d::UnitZ(), y1 = AngleAxisd(alpha, z) * Vector3d::UnitY(),
-                 x2 = AngleAxisd(alpha, z) * AngleAxisd(beta, Vector3d::UnitY()) * Vector3d::UnitX();
-  Eigen::Matrix3d axes;
-  axes << z, y1, x2;
-  const Vector3d rates = axes.inverse() * w;
-  const Vector3d y1_rate = rates(0) * z.cross(y1), x2_rate = (rates(0) * z + rates(1) * y1).cross(x2);
-  return {rates, axes.inverse() * (e - y1_rate * rates(1) - x2_rate * rates(2))};
-}
-
-struct Case {
-  Machine machine;
-  State state;
-};
-
-test::Dependent dependent_of(const json& in) {
-  const std::string axis = in["dependent_axis"];
-  return axis == "X" ? test::x : axis == "Y" ? test::y : test::z;
-}
-
-ParameterValues parameters_of(const json& c, const json& meta) {
-  std::map<std::string, std::vector<double>> changes{{"dependent", {static_cast<double>(dependent_of(c["input"]))}}};
-  const std::string id = c["name"].get<std::string>().substr(0, 3);
-  if (meta["other_parameters"].contains(id)) {
-    const json& other = meta["other_parameters"][id];
-    const Vector3d n = vector3(other["n6p"]);
-    changes["revolute_axis"] = {n.x(), n.y(), n.z()};
-    const json& i = other["I_o"];
-    changes["platform_inertia"] = {number(i[0][0]), number(i[1][1]), number(i[2][2]), number(i[0][1]), number(i[0][2]), number(i[1][2])};
-  }
-  return test::values_with(test::four_sps_spr(), changes);
-}
-
-State state_of(const Machine& machine, const json& in) {
-  const double alpha = number(in["alpha"]), beta = number(in["beta"]), gamma = number(in["gamma"]);
-  const AngleRates angles = angle_rates(alpha, beta, vector3(in["omega"]), vector3(in["epsilon"]));
-  VectorXd q(5), rate(5), acceleration(5);
-  q << vector(in["p_free"]), alpha, beta, gamma;
-  rate << vector(in["v_free"]), angles.rates;
-  acceleration << vector(in["a_free"]), angles.accelerations;
-  State s;
-  evaluate(machine, q.data(), rate.data(), acceleration.data(), s);
-  REQUIRE(s.status == PM_OK);
-  return s;
-}
 
 }  // namespace
 
@@ -119,8 +64,7 @@ TEST_CASE("every reference case of the 4SPS-SPR comes out to nine digits") {
       check_equal("det G", VectorXd::Constant(1, g.determinant), VectorXd::Constant(1, number(out["detG"])));
       check_equal("V^T H V", g.jacobian_rate * platform.twist(), vector(out["VtHV"]));
 
-      const Vector6d load = (Vector6d() << vector(in["F"]), vector(in["T"])).finished();
-      check_equal("massless statics", closed_statics(g, load), vector(out["statics_massless"]));
+      check_equal("massless statics", closed_statics(g, load_of(in)), vector(out["statics_massless"]));
     }
   }
 }

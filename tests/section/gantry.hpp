@@ -6,11 +6,11 @@
 // through, and the couple about Z, which the hinge does, is a self-stress: four of them. The drive moves both masses.
 #pragma once
 
-#include <catch2/catch.hpp>
-
 #include <core/scenario/scenario.hpp>
 #include <pmreport/mechanism.hpp>
 #include <reports/section/section.hpp>
+#include <tests/scenario/only.hpp>
+#include <tests/section/report_words.hpp>
 
 #include <string>
 
@@ -54,9 +54,7 @@ class Gantry : public Mechanism<1> {
   }
 };
 
-inline scenario::MechanismSource source() {
-  return {[](const std::string& name) { return name == "gantry" ? &contract::mechanism<Gantry> : nullptr; }, {"gantry"}};
-}
+inline scenario::MechanismSource source() { return test::only<Gantry>(); }
 
 // x = 50 mm sin(pi t / s) over 2 s in steps of 0.1 s: the largest acceleration, 0.05 pi^2 m/s^2, at 0.5 and 1.5 s.
 struct Run {
@@ -70,39 +68,6 @@ struct Run {
   section::Analysis analysis;
 };
 
-// All that a reader reads.
-inline std::string text_of(const document::Section& s) {
-  std::string out;
-  for (const document::Block& b : s.blocks) {
-    if (const auto* p = std::get_if<document::Paragraph>(&b)) out += p->text + "\n";
-    if (const auto* t = std::get_if<document::Table>(&b)) {
-      out += t->caption + "\n";
-      for (const auto& row : t->rows) {
-        for (const std::string& cell : row) out += cell + " | ";
-        out += "\n";
-      }
-    }
-  }
-  return out;
-}
-
-inline double value(const section::Result& r, const std::string& name) {
-  for (const document::Value& v : r.values)
-    if (v.name == name) return v.value;
-  FAIL("no value " << name);
-  return 0;
-}
-
-// Every line of evidence passes, and there are as many as told.
-inline void check_proofs(const document::Section& s, int lines) {
-  for (const document::Block& b : s.blocks)
-    if (const auto* p = std::get_if<document::Proof>(&b))
-      for (const document::Evidence& e : p->lines) {
-        INFO(e.claim << ": " << e.value);
-        CHECK(e.passed());
-        --lines;
-      }
-  CHECK(lines == 0);
-}
+using report_words::check_proofs, report_words::text_of, report_words::value;
 
 }  // namespace gantry

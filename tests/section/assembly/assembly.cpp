@@ -10,6 +10,7 @@
 
 using namespace pmreport;
 using Catch::Matchers::Contains;
+using report_words::table_of;
 
 namespace {
 
@@ -61,9 +62,7 @@ class Lever : public Mechanism<1> {
   }
 };
 
-scenario::MechanismSource source() {
-  return {[](const std::string& name) { return name == "lever" ? &contract::mechanism<Lever> : nullptr; }, {"lever"}};
-}
+scenario::MechanismSource source() { return test::only<Lever>(); }
 
 // From 40 degrees up to 50, down to 30 at 1.5 s, and back.
 struct Run {
@@ -80,12 +79,6 @@ struct Run {
   section::Analysis analysis;
 };
 
-const document::Table& table_of(const section::Result& r) {
-  for (const document::Block& b : r.section.blocks)
-    if (const auto* t = std::get_if<document::Table>(&b)) return *t;
-  throw std::out_of_range("no table of modes");
-}
-
 }  // namespace
 
 TEST_CASE("a lever on a leg has two assembly modes, and the section tells both") {
@@ -93,7 +86,7 @@ TEST_CASE("a lever on a leg has two assembly modes, and the section tells both")
   const section::Result r = run.assembly({});
   CHECK(gantry::value(r, "modes") == 2);
   CHECK(gantry::value(r, "own_working_mode") == 2);
-  const document::Table& t = table_of(r);
+  const document::Table& t = table_of(r.section);
   REQUIRE(t.rows.size() == 2);
   // Mark, number, theta [deg], sign of det G, distance [mm], limits. The leg pushes against the lever the other way on the other side.
   CHECK(t.rows[0][0] == "•");
@@ -141,9 +134,9 @@ TEST_CASE("values given for the actuators are used instead of the motion's") {
   scenario::SectionRequest request;
   request.actuators = Eigen::VectorXd::Constant(1, std::sqrt(reach * reach + away * away - 2 * reach * away * std::cos(0.5)));
   const section::Result r = run.assembly(request);
-  REQUIRE(table_of(r).rows.size() == 2);
-  CHECK(table_of(r).rows[0][2] == "28.65");  // 0.5 rad
-  CHECK(table_of(r).rows[1][2] == "−28.65");
+  REQUIRE(table_of(r.section).rows.size() == 2);
+  CHECK(table_of(r.section).rows[0][2] == "28.65");  // 0.5 rad
+  CHECK(table_of(r.section).rows[1][2] == "−28.65");
   CHECK(r.data.empty());
   gantry::check_proofs(r.section, 3);
 }

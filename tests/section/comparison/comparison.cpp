@@ -3,9 +3,11 @@
 
 #include <reports/section/section.hpp>
 #include <tests/scenario/trial.hpp>
+#include <tests/section/report_words.hpp>
 
 using namespace pmreport;
 using Catch::Contains;
+using report_words::table_of;
 
 namespace {
 
@@ -24,7 +26,6 @@ std::string row(const std::string& here, const std::string& paper, const std::st
   return "[[section.row]]\nwhat = \"a number\"\nhere = \"" + here + "\"\npaper = \"" + paper + "\"\n" + more + "\n";
 }
 
-const document::Table& table_of(const section::Result& r) { return std::get<document::Table>(r.section.blocks.at(1)); }
 std::string first_sentence(const section::Result& r) { return std::get<document::Paragraph>(r.section.blocks.at(0)).text; }
 
 }  // namespace
@@ -33,7 +34,7 @@ TEST_CASE("a value reproduces within its tolerance, both ends included, and not 
   const section::Result r =
       compare(row("max(x)", "20.05 mm", "tolerance = \"0.05 mm\"") + row("max(x)", "20.06 mm", "tolerance = \"0.05 mm\"") +
               row("max(x)", "1.995 cm", "tolerance = \"0.05 mm\"") + row("max(x)", "19.9 mm", "tolerance = \"0.05 mm\""));
-  const auto& rows = table_of(r).rows;
+  const auto& rows = table_of(r.section).rows;
   REQUIRE(rows.size() == 4);
   CHECK(rows[0] == std::vector<std::string>{"a number", "20.05", "20", "−0.05", "0.05", "mm", "reproduces"});
   CHECK(rows[1].back() == "does not reproduce");
@@ -49,7 +50,7 @@ TEST_CASE("counts are compared as whole numbers, exactly unless a tolerance is g
   const section::Result r = compare(row("classification.by_rule", "151", "") + row("classification.base_schemes", "117", "") +
                                         row("classification.base_schemes", "117", "tolerance = 1"),
                                     "source = \"Glazunov et al. 2008\"\n");
-  const auto& rows = table_of(r).rows;
+  const auto& rows = table_of(r.section).rows;
   CHECK(rows[0] == std::vector<std::string>{"a number", "151", "151", "0", "exact", "", "reproduces"});
   CHECK(rows[1] == std::vector<std::string>{"a number", "117", "118", "1", "exact", "", "does not reproduce"});
   CHECK(rows[2] == std::vector<std::string>{"a number", "117", "118", "1", "1", "", "reproduces"});
@@ -58,7 +59,7 @@ TEST_CASE("counts are compared as whole numbers, exactly unless a tolerance is g
 
 TEST_CASE("a value that this report could not compute is told, never a number") {
   const section::Result r = compare(row("classification.six_chains", "40", "verdict = \"reproduces\""));  // not among the values
-  CHECK(table_of(r).rows[0] == std::vector<std::string>{"a number", "40", "–", "–", "exact", "", "no value here"});
+  CHECK(table_of(r.section).rows[0] == std::vector<std::string>{"a number", "40", "–", "–", "exact", "", "no value here"});
   CHECK_THAT(first_sentence(r), Contains("1 has no value here"));
   REQUIRE(r.checks.size() == 1);
   CHECK_FALSE(r.checks[0].passed);
@@ -85,7 +86,7 @@ TEST_CASE("a verdict in the scenario is a gate, whichever way it goes") {
 TEST_CASE("sources have a column where a row has one, and notes stand below the table") {
   const section::Result r = compare(row("max(x)", "20 mm", "tolerance = \"1 mm\"\nsource = \"Table 1\"\nnote = \"rounded\"") +
                                     row("min(x)", "0 mm", "tolerance = \"1 mm\"\nnote = \"at rest.\""));
-  const document::Table& t = table_of(r);
+  const document::Table& t = table_of(r.section);
   CHECK(t.headings.back() == "source");
   CHECK(t.rows[0].back() == "Table 1");
   CHECK(t.rows[0][6] == "reproduces ¹");

@@ -6,7 +6,9 @@
 #include <core/analysis/smooth_rate.hpp>
 #include <reports/section/dynamics/dynamics_words.hpp>
 #include <reports/section/section.hpp>
+#include <tests/scenario/only.hpp>
 #include <tests/scenario/trial.hpp>
+#include <tests/section/report_words.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -54,9 +56,7 @@ class Lift : public Mechanism<2> {
   }
 };
 
-scenario::MechanismSource lift() {
-  return {[](const std::string& name) { return name == "lift" ? &contract::mechanism<Lift> : nullptr; }, {"lift"}};
-}
+scenario::MechanismSource lift() { return test::only<Lift>(); }
 
 struct Run {
   explicit Run(const std::string& text)
@@ -93,27 +93,7 @@ scenario::SectionRequest request(const std::vector<double>& equations = {}) {
   return r;
 }
 
-double value(const section::Result& r, const std::string& name) {
-  for (const document::Value& v : r.values)
-    if (v.name == name) return v.value;
-  FAIL("no value " << name);
-  return 0;
-}
-
-template <class T>
-std::vector<T> blocks(const document::Section& s) {
-  std::vector<T> out;
-  for (const document::Block& b : s.blocks)
-    if (const T* found = std::get_if<T>(&b)) out.push_back(*found);
-  return out;
-}
-
-bool proved(const document::Section& s) {
-  for (const document::Proof& p : blocks<document::Proof>(s))
-    for (const document::Evidence& e : p.lines)
-      if (!e.passed()) return false;
-  return true;
-}
+using report_words::blocks, report_words::proved, report_words::value;
 
 }  // namespace
 
@@ -167,7 +147,7 @@ TEST_CASE("numbers do not depend on how the samples are shared out") {
 
 TEST_CASE("work over a closed path is that of the load alone, and what comes back is counted apart") {
   const Run r(circuit(dynamics));
-  const auto work = section::motion_work(r.analysis);
+  const auto work = analysis::motion_work(r.analysis);
   REQUIRE(work);
   CHECK(work->whole);
   CHECK(work->closed);
@@ -181,7 +161,7 @@ TEST_CASE("work over a closed path is that of the load alone, and what comes bac
 TEST_CASE("a path that does not return leaves its work in the bodies or in the load") {
   const std::string half = circuit(dynamics).replace(circuit(dynamics).find("\"2 s\""), 5, "\"0.5 s\"");
   const Run r(half);
-  const auto work = section::motion_work(r.analysis);
+  const auto work = analysis::motion_work(r.analysis);
   REQUIRE(work);
   CHECK_FALSE(work->closed);
   // At 0.5 s: at the top, 0.2 m up, at rest; phi is back at zero, its rate reversed.
@@ -202,7 +182,7 @@ z = "-4.905 m/s^2 * t^2"
 [load]
 gravity = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]
 )toml" + dynamics);
-  const auto work = section::motion_work(fall.analysis);
+  const auto work = analysis::motion_work(fall.analysis);
   REQUIRE(work);
   // What falls turns into motion: 5 kg through 4.905 m, once out of one store and once into the other.
   const double fallen = (car_mass + disc_mass) * 9.81 * 4.905;
@@ -216,7 +196,7 @@ TEST_CASE("a motion whose jerk jumps still has its work to rounding, and its pow
   const std::string smooth = "0.2 m * sin(pi*t/1 s)";
   text.replace(text.find(smooth), smooth.size(), "0.1 m * (max(t - 0.7303 s, 0 s)/1 s)^3");
   const Run r(text);
-  const auto work = section::motion_work(r.analysis);
+  const auto work = analysis::motion_work(r.analysis);
   REQUIRE(work);
   CHECK(std::abs(work->work() + work->load - work->stored) < 1e-10 * work->flow);
   const section::Worst w = r.analysis.worst(section::Measure::power_balance);

@@ -23,21 +23,7 @@ struct OnStage {  // at rest
   section::Analysis analysis;
 };
 
-std::vector<std::string> row_of(const document::Section& s, const std::string& caption, const std::string& first) {
-  for (const document::Block& b : s.blocks)
-    if (const auto* t = std::get_if<document::Table>(&b); t != nullptr && t->caption.starts_with(caption))
-      for (const auto& row : t->rows)
-        if (row.front() == first) return row;
-  FAIL("no row " << first << " in the table \"" << caption << "\"");
-  return {};
-}
-
-std::vector<const figure::Figure*> figures_of(const document::Section& s) {
-  std::vector<const figure::Figure*> out;
-  for (const document::Block& b : s.blocks)
-    if (const auto* f = std::get_if<figure::Figure>(&b)) out.push_back(f);
-  return out;
-}
+using report_words::row_of;
 
 }  // namespace
 
@@ -126,7 +112,7 @@ TEST_CASE("only the joints that a scenario chooses are drawn, least-norm ones wi
   scenario::SectionRequest request;
   request.joints = {2};
   const section::Result out = section::reactions_section(r.analysis, request);
-  const auto figures = figures_of(out.section);
+  const auto figures = report_words::pointers<figure::Figure>(out.section);
   REQUIRE(figures.size() >= 2);
   REQUIRE(figures[0]->panels.size() == 1);
   REQUIRE(figures[0]->panels[0].series.size() == 1);

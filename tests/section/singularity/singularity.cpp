@@ -5,7 +5,9 @@
 #include <reports/section/common/words.hpp>
 #include <reports/section/section.hpp>
 #include <reports/section/singularity/singularity.hpp>
+#include <tests/scenario/only.hpp>
 #include <tests/scenario/trial.hpp>
+#include <tests/section/report_words.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -59,9 +61,7 @@ class Sleigh : public Mechanism<1> {
   }
 };
 
-scenario::MechanismSource source() {
-  return {[](const std::string& name) { return name == "sleigh" ? &contract::mechanism<Sleigh> : nullptr; }, {"sleigh"}};
-}
+scenario::MechanismSource source() { return test::only<Sleigh>(); }
 
 struct Run {
   explicit Run(const std::string& x)
@@ -77,39 +77,8 @@ struct Run {
   section::Analysis analysis;
 };
 
-std::string text_of(const document::Section& s) {
-  std::string out;
-  for (const document::Block& b : s.blocks) {
-    if (const auto* p = std::get_if<document::Paragraph>(&b)) out += p->text + "\n";
-    if (const auto* t = std::get_if<document::Table>(&b))
-      for (const auto& row : t->rows) {
-        for (const std::string& cell : row) out += cell + " | ";
-        out += "\n";
-      }
-  }
-  return out;
-}
-
-double value(const section::Result& r, const std::string& name) {
-  for (const document::Value& v : r.values)
-    if (v.name == name) return v.value;
-  FAIL("no value " << name);
-  return 0;
-}
-
-void check_proofs(const document::Section& s) {
-  int lines = 0;
-  for (const document::Block& b : s.blocks)
-    if (const auto* p = std::get_if<document::Proof>(&b))
-      for (const document::Evidence& e : p->lines) {
-        INFO(e.claim << ": " << e.value);
-        CHECK(e.passed());
-        ++lines;
-      }
-  CHECK(lines > 0);
-}
-
 using Catch::Matchers::Contains;
+using report_words::check_proofs, report_words::text_of, report_words::value;
 
 }  // namespace
 

@@ -1,0 +1,146 @@
+// The whole report: which sections, in which order, with which values, checks and sentences before them.
+#include <catch2/catch.hpp>
+
+#include <tests/section/report_words.hpp>
+#include <tests/section/whole_report.hpp>
+
+#include <algorithm>
+#include <numbers>
+
+using namespace pmreport;
+using namespace whole_report;
+using Catch::Contains;
+using report_words::row_of, report_words::value;
+
+namespace {
+
+std::string check(const std::string& that, const std::string& below) {
+  return "[[check]]\nthat = \"" + that + "\"\nbelow = \"" + below + "\"\n";
+}
+
+}  // namespace
+
+TEST_CASE("sections stand in the order of the scenario, the overview before the first of curves") {
+  const auto r = of_gantry(asking_for({"mobility", "velocity", "displacement", "classification", "acceleration"}));
+  CHECK(ids(r) == std::vector<std::string>{"mobility", "overview", "velocity", "displacement", "classification", "acceleration"});
+}
+
+TEST_CASE("a section bears the title that the scenario gives it, any other its own") {
+  const auto r = of_gantry("[[section]]\nkind = \"velocity\"\ntitle = \"How fast\"\n" + asking_for({"acceleration"}));
+  CHECK(section_of(r, "velocity").title == "How fast");
+  CHECK(section_of(r, "acceleration").title == "Acceleration");
+}
+
+TEST_CASE("every kind of curves has one data file, with a column for the time and one for each quantity with its unit") {
+  const auto r = of_gantry(asking_for({"displacement", "classification"}));
+  REQUIRE(r.data.size() == 1);
+  CHECK(r.data[0].name == "displacement");
+  REQUIRE(r.data[0].headings.size() >= 3);
+  CHECK(r.data[0].headings[0] == "t [s]");
+  CHECK(column_of(r, "displacement", "x [m]").size() == 21);
+  const auto& x = column_of(r, "displacement", "x [m]");
+  const auto& q = column_of(r, "displacement", "q [m]");
+  for (std::size_t k = 0; k < 21; ++k) {
+    CHECK(r.data[0].columns[0][k] == Approx(0.1 * double(k)));
+    CHECK(x[k] == Approx(0.05 * std::sin(std::numbers::pi * 0.1 * double(k))).margin(1e-15));
+    CHECK(q[k] == x[k]);
+  }
+}
+
+TEST_CASE("the values of a report are the smallest and the largest of every column") {
+  const auto r = of_gantry(asking_for({"displacement", "velocity"}));
+  CHECK(value(r, "min(x)") == Approx(-0.05));
+  CHECK(value(r, "max(x)") == Approx(0.05));
+  CHECK(value(r, "max(q_rate)") == Approx(0.05 * std::numbers::pi));
+  for (const document::Value& v : r.values)
+    if (v.name == "max(q_rate)") {
+      CHECK(v.section == "velocity");
+      CHECK(v.unit == "m/s");
+    }
+}
+
+TEST_CASE("checks of the scenario come first, then what every report demands") {
+  const auto r = of_gantry(asking_for({"displacement"}) + check("max(x)", "60 mm") + check("max(q)", "40 mm"));
+  REQUIRE(r.checks.size() == 5);
+  CHECK(r.checks[0].name == "max(x) < 60 mm");
+  CHECK(r.checks[0].passed);
+  CHECK(r.checks[1].name == "max(q) < 40 mm");
+  CHECK_FALSE(r.checks[1].passed);
+  CHECK(r.checks[2].name == "every sample can be assembled");
+  CHECK(r.checks[3].name == "strokes and joint limits are kept");
+  CHECK(r.checks[4].name == "no singular surface is met");
+  for (std::size_t i = 2; i < 5; ++i) CHECK(r.checks[i].passed);
+  CHECK_FALSE(r.passed());
+}
+
+TEST_CASE("a report without a failure has passed, and its summary warns of nothing") {
+  const auto r =
+      of_gantry("[load]\nforce = [\"0 N\", \"7 N\", \"0 N\"]\n" + asking_for({"displacement", "velocity", "acceleration", "statics"}));
+  CHECK(r.passed());
+  REQUIRE(r.summary.size() == 3);
+  for (const document::Paragraph& p : r.summary) CHECK(p.tone == document::Paragraph::Tone::plain);
+  CHECK(r.summary[0].text == "21 samples over 2 s, 1 degrees of freedom.");
+  CHECK_THAT(r.summary[1].text, Contains("Motion: ") && Contains("50 mm * sin(2*pi*t/2 s)"));
+  CHECK_THAT(r.summary[2].text, Contains("Load on the platform: ") && Contains("7 N"));
+}
+
+TEST_CASE("the summary tells what failed before it tells what was run") {
+  const auto r = of_stage("", "x = \"300 mm * t / 1 s\"\nphi = \"0 deg\"\n", asking_for({"displacement"}) + check("max(x)", "0.5 m"));
+  REQUIRE(r.summary.size() == 5);
+  CHECK(r.summary[0].tone == document::Paragraph::Tone::warning);
+  // Over 500 mm from sample 17 on; 600 mm at 2 s.
+  CHECK_THAT(r.summary[0].text, Contains("t = 1.7 s to 2 s") && Contains("its stroke ends at 500 mm") && Contains("4 samples"));
+  CHECK(r.summary[1].tone == document::Paragraph::Tone::warning);
+  CHECK(r.summary[1].text == "Check failed: t = 2 s: max(x): x is 600 mm, which is not below 500 mm.");
+  CHECK(r.summary[2].tone == document::Paragraph::Tone::plain);
+  CHECK_FALSE(r.passed());
+}
+
+TEST_CASE("a summary holds a dozen warnings, and the number of those beyond") {
+  std::string checks;
+  for (int k = 1; k <= 14; ++k) checks += check("max(x)", std::to_string(k) + " mm");
+  const auto r = of_gantry(asking_for({"displacement"}) + checks);
+  const auto warnings = std::count_if(r.summary.begin(), r.summary.end(),
+                                      [](const document::Paragraph& p) { return p.tone == document::Paragraph::Tone::warning; });
+  REQUIRE(warnings == 13);
+  CHECK(r.summary[11].text == "Check failed: t = 0.5 s: max(x): x is 50 mm, which is not below 12 mm.");
+  CHECK(r.summary[12].text == "2 warnings more in the sections.");
+}
+
+TEST_CASE("a comparison may name a quantity of a section after it, and stands where the scenario has it") {
+  const auto r = of_gantry(
+      "[[section]]\nkind = \"comparison\"\n[[section.row]]\nwhat = \"schemes\"\nhere = \"classification.base_schemes\"\n"
+      "paper = \"118\"\n" +
+      asking_for({"classification"}));
+  CHECK(ids(r) == std::vector<std::string>{"comparison", "classification"});
+  CHECK(row_of(section_of(r, "comparison"), "", "schemes").back() == "reproduces");
+}
+
+TEST_CASE("a report says what made it, of what, and from which scenario") {
+  const auto r = of_gantry(asking_for({"displacement"}));
+  CHECK(r.title == "Gantry");
+  CHECK(r.provenance.version == "1.2.3");
+  CHECK(r.provenance.plugin_build == "a build for the tests");
+  CHECK(r.provenance.mechanism == "gantry");
+  CHECK(r.provenance.scenario_name == "a.toml");
+  CHECK_THAT(r.scenario_text, Contains("use = \"gantry\""));
+  // By sha256sum of coreutils.
+  CHECK(r.provenance.scenario_sha256 == "a4bf885444240a64775aeb8ac10a97760246ffb52d15637a0ace647c43c98547");
+}
+
+TEST_CASE("an overview shows at a glance what three kinds of curves or more show, and there is none of fewer") {
+  const auto r = of_gantry(asking_for({"displacement", "velocity", "acceleration"}));
+  const document::Section& s = section_of(r, "overview");
+  CHECK(panels_of(s) == std::vector<std::string>{"position", "actuator length", "actuator rate", "actuator acceleration"});
+  const auto& rate = series_of(s, "actuator rate", "q").y;
+  const figure::Panel& panel = panel_of(s, "actuator rate");
+  CHECK(panel.y.unit == "mm/s");
+  for (std::size_t k = 0; k < 21; ++k)
+    CHECK(rate[k] == Approx(50 * std::numbers::pi * std::cos(std::numbers::pi * 0.1 * double(k))).margin(1e-9));
+  const auto& f = *report_words::pointers<figure::Figure>(s).at(0);
+  CHECK(
+      f.caption ==
+      "The motion at a glance: position and orientation of the platform, displacement of the actuators; their rates; their accelerations.");
+
+  for (const document::Section& other : of_gantry(asking_for({"displacement", "velocity"})).sections) CHECK(other.id != "overview");
+}

@@ -1,0 +1,71 @@
+// Section `mechanism`: parameters, joints, bodies and mobility, as declared and as counted by hand.
+#include <catch2/catch.hpp>
+
+#include <tests/section/report_words.hpp>
+#include <tests/section/whole_report.hpp>
+
+using namespace pmreport;
+using namespace whole_report;
+using Catch::Contains;
+using report_words::check_proofs, report_words::row_of, report_words::table_of, report_words::text_of;
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+// The row of parameter `name`, whose cells before it hold the dot.
+Row parameter(const document::Section& s, const std::string& name) {
+  for (const Row& row : table_of(s, "Parameters").rows)
+    if (row.at(1) == name) return row;
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("a dot marks the parameters that the scenario sets, each in the unit that a reader expects") {
+  const auto r = of_stage(", cone = \"30 deg\"", "x = \"0 mm\"\nphi = \"0 deg\"\n", asking_for({"mechanism"}));
+  const document::Section& s = section_of(r, "mechanism");
+  CHECK(parameter(s, "arm") == Row{"•", "arm", "length r of the feeler", "200", "mm"});
+  CHECK(parameter(s, "cone") == Row{"•", "cone", "largest turn", "30", "°"});
+  CHECK(parameter(s, "stroke_min") == Row{"", "stroke_min", "lower end of the slide", "−500", "mm"});
+  CHECK(parameter(s, "ratio").at(3) == "2");
+  CHECK(parameter(s, "dependent").at(3) == "y");
+  CHECK_THAT(text_of(s), Contains("Stage: slide and turntable. Source: made for the tests."));
+}
+
+TEST_CASE("joints and bodies of the gantry are listed as they are declared") {
+  const auto r = of_gantry(asking_for({"mechanism"}));
+  const document::Section& s = section_of(r, "mechanism");
+  const Row drive = row_of(s, "Joints", "P1"), rail = row_of(s, "Joints", "P2"), hinge = row_of(s, "Joints", "R");
+  CHECK_THAT(drive.at(1), Contains("drives q"));
+  CHECK(Row(drive.begin() + 2, drive.begin() + 5) == Row{"base", "platform", "1"});
+  CHECK_THAT(rail.at(1), !Contains("drives"));
+  CHECK(Row(rail.begin() + 2, rail.begin() + 5) == Row{"base", "trolley", "1"});
+  CHECK(Row(hinge.begin() + 2, hinge.begin() + 5) == Row{"trolley", "platform", "1"});
+  CHECK(row_of(s, "Bodies", "platform") == Row{"platform", "–", "2", "(0, 0, 0)", "0.01, 0.01, 0.01"});
+  CHECK(row_of(s, "Bodies", "trolley") == Row{"trolley", "1", "1", "(0, 0, 0)", "0.01, 0.01, 0.01"});
+}
+
+TEST_CASE("the mobility of the gantry is that of its count and its four self-stresses") {
+  // Base, platform, trolley; three joints of one freedom: 6 (3 - 3 - 1) + 3 = -3. Its only loop is an identity for four of six equations.
+  const auto r = of_gantry(asking_for({"mechanism"}));
+  const document::Section& s = section_of(r, "mechanism");
+  const auto value = [&](const std::string& quantity) { return row_of(s, "Mobility", quantity).at(1); };
+  CHECK(value("links n, base included") == "3");
+  CHECK(value("joints g") == "3");
+  CHECK(value("sum of joint freedoms Σf") == "3");
+  CHECK(value("Grübler–Kutzbach 6(n − g − 1) + Σf − ζ") == "-3");
+  CHECK(value("constraint rows, their rank") == "15, 11");
+  CHECK(value("redundant constraints, by rank") == "4");
+  CHECK(value("degrees of freedom, by rank") == "1");
+  check_proofs(s, 3);
+}
+
+TEST_CASE("a mechanism is shown at home, in one picture") {
+  const auto r = of_gantry(asking_for({"mechanism"}));
+  const auto galleries = report_words::pointers<document::Gallery>(section_of(r, "mechanism"));
+  REQUIRE(galleries.size() == 1);
+  REQUIRE(galleries[0]->pictures.size() == 1);
+  CHECK(galleries[0]->pictures[0].id == "mechanism");
+  CHECK(galleries[0]->pictures[0].png.starts_with("\x89PNG"));
+}
