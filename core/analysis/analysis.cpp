@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <core/mechanics/mobility/mobility_count.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <limits>
 #include <mutex>
 
@@ -34,7 +36,7 @@ void Analysis::run(const Progress& progress) {
   const std::size_t n = time().size();
   for (const char* section : {"displacement", "velocity", "acceleration", "statics"})
     for (const mechanics::Column& c : mechanics::columns_of(section, machine_.topology())) columns_[c.name].assign(n, nan);
-  conditions_.assign(n, Condition::good);
+  outcomes_.assign(n, Outcome::good);
   Row nothing;
   nothing.fill(nan);
   measures_.assign(n, nothing);
@@ -50,18 +52,18 @@ void Analysis::run(const Progress& progress) {
     tbb::parallel_for(begin, std::min(n, begin + block), [&](std::size_t k) {
       SampleWork& worker = workers.local();
       const int sample = static_cast<int>(k), neighbour = sample > 0 ? sample - 1 : std::min(1, samples() - 1);
-      conditions_[k] = worker.run(sample, neighbour, measures_[k], [&](const std::string& name, double value) {
+      outcomes_[k] = worker.run(sample, neighbour, measures_[k], [&](const std::string& name, double value) {
         const auto found = columns_.find(name);
         if (found != columns_.end()) found->second[k] = std::isfinite(value) ? value + 0.0 : nan;  // no negative zero
       });
-      if (conditions_[k] == Condition::unreachable || conditions_[k] == Condition::failed) {
+      if (outcomes_[k] == Outcome::unreachable || outcomes_[k] == Outcome::failed) {
         const std::scoped_lock lock(sentences);
         why_[sample] = worker.why();
       }
     });
   }
   for (std::size_t k = 0; k < n; ++k)
-    if (conditions_[k] == Condition::failed)
+    if (outcomes_[k] == Outcome::failed)
       throw mechanics::MechanismError(PM_FAILED, "sample " + std::to_string(k + 1) + ": " + why_[static_cast<int>(k)]);
 }
 
@@ -104,7 +106,7 @@ double Analysis::largest(const std::vector<std::string>& columns) const {
   return out;
 }
 
-int Analysis::count(Condition c) const { return static_cast<int>(std::count(conditions_.begin(), conditions_.end(), c)); }
+int Analysis::count(Outcome c) const { return static_cast<int>(std::count(outcomes_.begin(), outcomes_.end(), c)); }
 
 const std::string& Analysis::why(int sample) const {
   static const std::string none;
@@ -146,7 +148,7 @@ std::vector<Interval> Analysis::broken() const {
 }
 
 std::vector<Interval> Analysis::unreachable() const {
-  return runs(samples(), [&](int k) { return condition(k) == Condition::unreachable; });
+  return runs(samples(), [&](int k) { return outcome(k) == Outcome::unreachable; });
 }
 
 mechanics::Pose Analysis::pose(int sample) const {

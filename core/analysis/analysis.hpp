@@ -2,7 +2,8 @@
 // that prove the numbers. Sections draw on it; they compute no mechanics of their own.
 #pragma once
 
-#include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/mobility/mobility_count.hpp>
+#include <core/mechanics/model/outcome.hpp>
 #include <core/mechanics/reactions/reactions.hpp>
 #include <core/scenario/scenario.hpp>
 #include <core/scenario/section/columns.hpp>
@@ -18,6 +19,7 @@
 namespace pmreport::analysis {
 
 using mechanics::Indeterminate;
+using mechanics::Outcome;
 
 // The residuals kept of each sample. Relative ones are dimensionless.
 enum class Measure : std::size_t {
@@ -42,8 +44,6 @@ enum class Measure : std::size_t {
   judge,                    // reactions limb by limb against the system over all bodies
   count
 };
-
-enum class Condition : std::uint8_t { good, singular, unreachable, failed };
 
 struct Worst {
   double value = 0;  // largest over the samples
@@ -98,8 +98,8 @@ class Analysis {
   const std::vector<double>& column(const std::string& name) const { return columns_.at(name); }
   double largest(const std::vector<std::string>& columns) const;  // magnitude over the samples
 
-  Condition condition(int sample) const { return conditions_[static_cast<std::size_t>(sample)]; }
-  int count(Condition c) const;
+  Outcome outcome(int sample) const { return outcomes_[static_cast<std::size_t>(sample)]; }
+  int count(Outcome c) const;
   const std::string& why(int sample) const;  // of a sample that is not good
   Worst worst(Measure m) const;
 
@@ -135,7 +135,7 @@ class Analysis {
   double length_;
   mechanics::Mobility mobility_;
   std::map<std::string, std::vector<double>> columns_;
-  std::vector<Condition> conditions_;
+  std::vector<Outcome> outcomes_;
   std::map<int, std::string> why_;
   std::vector<std::array<double, static_cast<std::size_t>(Measure::count)>> measures_;  // NaN: not computed
   std::vector<LimitBreach> breaches_;

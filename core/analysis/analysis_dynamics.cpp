@@ -24,7 +24,7 @@ bool bounds(const std::vector<double>& limits) {
 std::vector<int> spread(const Analysis& a, int wanted) {
   std::vector<int> good, out;
   for (int k = 0; k < a.samples(); ++k)
-    if (a.condition(k) == Condition::good) good.push_back(k);
+    if (a.outcome(k) == Outcome::good) good.push_back(k);
   const int n = static_cast<int>(good.size()), count = std::min(n, wanted);
   for (int i = 0; i < count; ++i) out.push_back(good[static_cast<std::size_t>((i + 0.5) * n / count)]);
   return out;
@@ -64,7 +64,7 @@ void Analysis::run_dynamics(const Progress& progress) {
   const std::vector<int> judged = spread(*this, 16);
   const std::vector<double>& condition_number = column("condition");
   for (int k = 0; k < samples(); ++k)
-    if (condition(k) == Condition::good)
+    if (outcome(k) == Outcome::good)
       orders.push_back(
           {k, condition_number[static_cast<std::size_t>(k)] < comparable, std::binary_search(judged.begin(), judged.end(), k)});
 

@@ -1,6 +1,7 @@
 #include <core/analysis/sample_forces.hpp>
 
 #include <core/mechanics/dynamics/drive.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 
 #include <algorithm>
 #include <cmath>

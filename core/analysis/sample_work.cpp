@@ -1,5 +1,8 @@
 #include <core/analysis/sample_work.hpp>
 #include <core/mechanics/model/differences.hpp>
+#include <core/mechanics/model/effort.hpp>
+#include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/statics/statics.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,25 +26,25 @@ void set(Row& row, Measure m, double value) {
 
 }  // namespace
 
-Condition SampleWork::run(int sample, int previous, Row& row, const Put& put) {
+Outcome SampleWork::run(int sample, int previous, Row& row, const Put& put) {
   const scenario::Motion& motion = scenario_.motion;
   const Eigen::VectorXd q = motion.value.row(sample), rate = motion.rate.row(sample), acceleration = motion.acceleration.row(sample);
   if (!q.allFinite()) {
     state_.why = "the motion " + motion.ending;
-    return Condition::unreachable;
+    return Outcome::unreachable;
   }
   evaluate(machine_, q.data(), rate.data(), acceleration.data(), state_);
-  if (state_.status == PM_UNREACHABLE) return Condition::unreachable;
-  if (state_.status != PM_OK) return Condition::failed;
+  if (state_.status == PM_UNREACHABLE) return Outcome::unreachable;
+  if (state_.status != PM_OK) return Outcome::failed;
 
   const mechanics::ClosedForm c = closed_form(machine_, state_, length_);
   const mechanics::GenericModel model = generic_model(machine_, state_);
   kinematics(put, c);
   residuals(row, c, model);
   if (c.condition < Analysis::comparable) set(row, Measure::round_trip, round_trip(sample, previous, c.condition));
-  if (!(c.condition < Analysis::singular)) return Condition::singular;
+  if (!(c.condition < Analysis::singular)) return Outcome::singular;
   if (statics_) statics(sample, row, put, c, model);
-  return Condition::good;
+  return Outcome::good;
 }
 
 void SampleWork::kinematics(const Put& put, const mechanics::ClosedForm& c) {
@@ -106,7 +109,9 @@ void SampleWork::residuals(Row& row, const mechanics::ClosedForm& c, const mecha
 // The guess lies towards the neighbouring sample, at most a tenth of the characteristic length, or 0.1 rad, away; nearer next to a singular
 // pose, beyond which another assembly mode has the same actuator values.
 double SampleWork::round_trip(int sample, int previous, double condition) {
-  const auto unit = [&](int i) { return machine_.topology().coordinates[static_cast<std::size_t>(i)].unit == "m" ? length_ : 1.0; };
+  const auto unit = [&](int i) {
+    return mechanics::size_of(machine_.topology().coordinates[static_cast<std::size_t>(i)].sense(), length_);
+  };
   const Eigen::VectorXd q = scenario_.motion.value.row(sample);
   Eigen::VectorXd neighbour = scenario_.motion.value.row(previous);
   if (!neighbour.allFinite()) neighbour = q;
@@ -117,7 +122,7 @@ double SampleWork::round_trip(int sample, int previous, double condition) {
   mechanics::SmallVector l(machine_.dof());
   for (int i = 0; i < q.size(); ++i) l(i) = state_.actuators[static_cast<std::size_t>(i)].value;
   const mechanics::ForwardSolution s = forward_.solve(l, guess);
-  if (s.outcome != mechanics::ForwardOutcome::converged) return std::numeric_limits<double>::infinity();
+  if (s.outcome != mechanics::Outcome::good) return std::numeric_limits<double>::infinity();
   double worst = 0;
   for (int i = 0; i < q.size(); ++i) worst = std::max(worst, std::abs(s.coordinates(i) - q(i)) / unit(i));
   return worst;

@@ -5,6 +5,7 @@
 #include <core/mechanics/displacement/displacement.hpp>
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/closure.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 
 #include <array>
 #include <functional>
@@ -24,7 +25,7 @@ class SampleWork {
   using Put = std::function<void(const std::string& column, double value)>;
 
   // Fills `row` and hands every output number to `put`. `previous`: a neighbour of the sample, towards which forward displacement starts.
-  Condition run(int sample, int previous, Row& row, const Put& put);
+  Outcome run(int sample, int previous, Row& row, const Put& put);
   const std::string& why() const { return state_.why; }  // when the sample has no pose
 
  private:

@@ -95,6 +95,8 @@ Scene build(const mechanics::Machine& machine, const mechanics::Pose& pose, cons
 // Bounds of all that is drawn of a pose; a report includes all its samples, then frames every picture alike.
 void include(Bounds& bounds, const mechanics::Machine& machine, const mechanics::Pose& pose);
 void include(Bounds& bounds, const mechanics::Machine& machine, const mechanics::Pose& pose, const Screw& screw);  // its drawn part
+// A parallel view of all that is in the bounds, with a rim of 7 % of the height all round, from `azimuth` about the base's z axis and
+// `elevation` above its xy plane [rad]; `aspect`: width over height of the picture. Of empty bounds the camera as it is made.
 Camera frame(const Bounds& bounds, double azimuth, double elevation, double aspect);
 
 // Off-screen rendering; throws std::runtime_error with the reason when OpenGL fails (too large, no memory).

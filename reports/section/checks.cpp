@@ -129,14 +129,14 @@ std::vector<document::Check> evaluate_checks(const Analysis& a, const std::vecto
 
   int broken = 0;
   for (const Interval& i : a.broken()) broken += i.last - i.first + 1;
-  const int unreachable = a.count(Condition::unreachable);
+  const int unreachable = a.count(Outcome::unreachable);
   const std::string of = fmt::format(" of {} samples", a.samples());
   const auto first = [](const std::vector<std::string>& sentences) { return sentences.empty() ? std::string() : sentences.front(); };
   out.push_back(demand("every sample can be assembled", unreachable, std::to_string(unreachable) + of, first(reach_sentences(a))));
   out.push_back(demand("strokes and joint limits are kept", broken, std::to_string(broken) + of,
                        a.breaches().empty() ? "" : sentence(a, a.breaches().front())));
   if (a.scenario().limits.any()) out.push_back(limits_kept(a));
-  const int singular = a.count(Condition::singular) + static_cast<int>(a.crossings().size());
+  const int singular = a.count(Outcome::singular) + static_cast<int>(a.crossings().size());
   out.push_back(demand("no singular surface is met", singular, plural(singular, "time"), first(singularity_sentences(a))));
   return out;
 }

@@ -54,7 +54,7 @@ void add_matrices(Section& s, const Analysis& a) {
   const Topology& t = a.machine().topology();
   if (t.matrices.empty()) return;
   int sample = 0;
-  while (sample < a.samples() && a.condition(sample) != Condition::good) ++sample;
+  while (sample < a.samples() && a.outcome(sample) != Outcome::good) ++sample;
   if (sample == a.samples()) return;
   const Eigen::VectorXd q = a.scenario().motion.value.row(sample);
   const std::vector<Eigen::MatrixXd> all = a.machine().matrices({q.data(), static_cast<std::size_t>(q.size())}, a.pose(sample));

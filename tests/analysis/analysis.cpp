@@ -41,7 +41,7 @@ TEST_CASE("a broken stroke keeps its values and is told with time, value and lim
         "t = 1.7 s to 2 s: q (slide) needs 600 mm, its stroke ends at 500 mm (worst at t = 2 s, 4 samples).");
   CHECK(r.analysis.column("q").back() == Approx(0.6));
   CHECK(r.analysis.broken().size() == 1);
-  CHECK(r.analysis.count(section::Condition::good) == 21);
+  CHECK(r.analysis.count(section::Outcome::good) == 21);
 }
 
 TEST_CASE("a limit that is met exactly is kept") {
@@ -50,7 +50,7 @@ TEST_CASE("a limit that is met exactly is kept") {
 
 TEST_CASE("an unreachable sample has no value in any column and is told with the mechanism's own reason") {
   const Run r(feeler_too_far);  // the feeler ends at 200 mm: from 1.4 s on it is too short
-  CHECK(r.analysis.count(section::Condition::unreachable) == 7);
+  CHECK(r.analysis.count(section::Outcome::unreachable) == 7);
   CHECK(std::isnan(r.analysis.column("phi").back()));
   CHECK(std::isnan(r.analysis.column("x_rate").back()));
   CHECK(std::isfinite(r.analysis.column("phi")[13]));

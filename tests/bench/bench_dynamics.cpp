@@ -4,8 +4,10 @@
 #include <core/host/plugin_file.hpp>
 #include <core/mechanics/dynamics/virtual_work.hpp>
 #include <core/mechanics/mobility/mobility.hpp>
+#include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/model/random_poses.hpp>
+#include <core/mechanics/reactions/by_limb/kernel.hpp>
 #include <core/mechanics/reactions/inverse_dynamics.hpp>
-#include <core/mechanics/reactions/inverse_dynamics_kernel.hpp>
 #include <tests/bench/timing.hpp>
 
 #include <random>

@@ -4,8 +4,10 @@
 #include <core/host/plugin_file.hpp>
 #include <core/mechanics/conformance/properties.hpp>
 #include <core/mechanics/displacement/displacement.hpp>
+#include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/statics/statics.hpp>
 #include <tests/bench/hand_written.hpp>
 #include <tests/bench/timing.hpp>
 
@@ -153,7 +155,7 @@ void run(const Machine& machine) {
   int converged = 0, iterations = 0;
   for (std::size_t k = 0; k < poses; ++k) {
     const ForwardSolution s = solver.solve(targets[k], guesses[k]);
-    converged += s.outcome == ForwardOutcome::converged;
+    converged += s.outcome == Outcome::good;
     iterations += s.iterations;
   }
   print("forward displacement, guess 1 cm away",

@@ -3,6 +3,7 @@
 
 #include <core/host/plugin_file.hpp>
 #include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/reactions/inverse_dynamics.hpp>
 #include <tests/bench/timing.hpp>
 #include <tests/judges/random_state.hpp>

@@ -1,6 +1,7 @@
 // Inverse dynamics and reactions of every mechanism before MuJoCo, which knows its bodies, its joints and how it stands at home.
 #include <core/host/plugin_file.hpp>
 #include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/reactions/reactions.hpp>
 #include <tests/judges/mujoco_model.hpp>
 #include <tests/judges/random_state.hpp>

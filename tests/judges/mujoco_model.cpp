@@ -123,7 +123,8 @@ MujocoModel::MujocoModel(const Machine& machine)
   mj_setConst(model_.get(), data_.get());
   for (const Branch& branch : tree_.branches) joints_.push_back(id_of(model_.get(), mjOBJ_JOINT, fmt::format("j{}_0", branch.joint)));
   for (const Actuator& a : machine.topology().actuators) {
-    const bool turns = machine.topology().joints[static_cast<std::size_t>(a.joint)].kind == JointKind::cylindrical && a.unit == "rad";
+    const bool turns =
+        machine.topology().joints[static_cast<std::size_t>(a.joint)].kind == JointKind::cylindrical && a.sense() == Sense::rotary;
     driven_.push_back(model_->jnt_dofadr[id_of(model_.get(), mjOBJ_JOINT, fmt::format("j{}_{}", a.joint, turns ? 1 : 0))]);
   }
 }
@@ -249,7 +250,7 @@ MujocoModel::Solution MujocoModel::solve(const State& state, const Loading& load
   for (std::size_t i = 0; i < t.actuators.size(); ++i) {
     const auto j = static_cast<std::size_t>(t.actuators[i].joint);
     const Vector3d drive = out.actuators(static_cast<Eigen::Index>(i)) * state.joints[j].axis[0];
-    if (t.actuators[i].unit == "m")
+    if (t.actuators[i].sense() == Sense::linear)
       out.joints[j].head<3>() -= drive;
     else
       out.joints[j].tail<3>() -= drive;

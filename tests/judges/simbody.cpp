@@ -11,6 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/reactions/inverse_dynamics.hpp>
 #include <tests/judges/random_state.hpp>
 #include <tests/judges/simbody_model.hpp>

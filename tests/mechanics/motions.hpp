@@ -2,6 +2,8 @@
 #pragma once
 
 #include <core/mechanics/mobility/mobility.hpp>
+#include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/model/random_poses.hpp>
 #include <core/mechanics/reactions/inverse_dynamics.hpp>
 
 #include <catch2/catch.hpp>

@@ -82,7 +82,7 @@ TEST_CASE("forward displacement of the Delta finds the platform where the sphere
     REQUIRE(m.real);
     const ForwardSolution found = forward.solve(theta, machine.home());
     CAPTURE(theta.transpose() / deg, found.why);
-    REQUIRE(found.outcome == ForwardOutcome::converged);
+    REQUIRE(found.outcome == Outcome::good);
     CHECK((found.coordinates - m.low).norm() < rounding);
   }
 }

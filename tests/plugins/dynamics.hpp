@@ -3,6 +3,7 @@
 #pragma once
 
 #include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/reactions/reactions.hpp>
 #include <tests/plugins/plugin.hpp>
 #include <tests/plugins/reference.hpp>

@@ -72,7 +72,7 @@ TEST_CASE("forces along the motion of the 2Q-SPR's Table 1 come out to nine digi
     SmallVector rods(5);
     for (int k = 0; k < 5; ++k) rods(k) = start(k) + c[k] * t * t * t / 6;
     const ForwardSolution solution = forward.solve(rods, guess);
-    REQUIRE(solution.outcome == ForwardOutcome::converged);
+    REQUIRE(solution.outcome == Outcome::good);
     guess = solution.coordinates;
     for (int k = 0; k < 5; ++k) {
       const auto i = static_cast<std::size_t>(k);

@@ -6,6 +6,7 @@
 //     sum_j M_kj q_j'' + (sum_j M_kj,t q_j' - T_,k) + V_,k = l_,k . tau + (platform)_,k . load
 // All derivatives are central differences of eighth order in extended precision.
 #include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <tests/plugins/every_mechanism.hpp>
 
 #include <Eigen/Geometry>

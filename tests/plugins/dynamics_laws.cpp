@@ -1,5 +1,7 @@
 // Laws that forces and reactions of every mechanism obey, whatever their values.
 #include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/mobility/mobility_count.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/reactions/reactions.hpp>
 #include <tests/plugins/every_mechanism.hpp>
 

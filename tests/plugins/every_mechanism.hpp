@@ -2,6 +2,7 @@
 #pragma once
 
 #include <core/mechanics/model/closed_form.hpp>
+#include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <tests/plugins/plugin.hpp>
 
@@ -38,7 +39,8 @@ inline std::vector<Named> every_mechanism() {
 inline Eigen::VectorXd sizes(const mechanics::Machine& machine) {
   Eigen::VectorXd out(machine.dof());
   for (int i = 0; i < machine.dof(); ++i)
-    out(i) = machine.topology().coordinates[static_cast<std::size_t>(i)].unit == "m" ? mechanics::characteristic_length(machine) : 1.0;
+    out(i) =
+        mechanics::size_of(machine.topology().coordinates[static_cast<std::size_t>(i)].sense(), mechanics::characteristic_length(machine));
   return out;
 }
 

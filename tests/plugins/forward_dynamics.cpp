@@ -2,6 +2,7 @@
 #include <core/mechanics/forward_dynamics/forward_dynamics.hpp>
 
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/statics/statics.hpp>
 #include <tests/plugins/plugin.hpp>
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,6 @@
 // What the P(2PRPU)/PRPS's geometry says in closed form: the ends of its workspace, its determinant and transmission at zero tilt, its
 // mobility, and the direction of its constraint.
+#include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/generic_model.hpp>

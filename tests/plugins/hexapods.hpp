@@ -2,6 +2,7 @@
 #pragma once
 
 #include <core/mechanics/model/closed_form.hpp>
+#include <core/mechanics/statics/statics.hpp>
 #include <tests/plugins/plugin.hpp>
 #include <tests/plugins/reference.hpp>
 

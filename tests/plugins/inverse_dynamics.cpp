@@ -1,7 +1,7 @@
 // Forces and reactions limb by limb are those of the system over all bodies, for every mechanism there is.
-#include <core/mechanics/reactions/inverse_dynamics_plan.hpp>
 
 #include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/reactions/by_limb/planner.hpp>
 #include <tests/mechanics/motions.hpp>
 #include <tests/plugins/hexapods.hpp>
 

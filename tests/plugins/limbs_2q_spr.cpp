@@ -1,4 +1,5 @@
 // What the limbs of the 2Q-SPR let the platform do: its mobility, its dependent coordinate, its working modes.
+#include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <tests/plugins/two_q_spr.hpp>
 

@@ -1,5 +1,7 @@
 // What lets the 5PUS-UPU move, and where it moves too much: mobility, ranks at singular poses, assembly modes (tests/data/5pus-upu.json).
+#include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/model/closed_form.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <tests/plugins/five_pus_upu.hpp>
 
 #include <Eigen/Geometry>

@@ -76,7 +76,7 @@ TEST_CASE("a pose of the 4SPS-SPR is found again from its limbs, from a guess a 
       const VectorXd guess = q + 0.01 * random_vector(machine, random, false).normalized();
       CAPTURE(test::pose_names[dependent], q.transpose(), guess.transpose());
       const ForwardSolution s = solver.solve(actuators_at(machine, q), guess);
-      REQUIRE(s.outcome == ForwardOutcome::converged);
+      REQUIRE(s.outcome == Outcome::good);
       CHECK((s.coordinates - q).lpNorm<Eigen::Infinity>() < 1e-10);  // limbs to 1e-14, times the condition, with two digits to spare
       ++solved;
     }
@@ -95,7 +95,7 @@ TEST_CASE("the whole box is reached from home by continuation") {
     for (int step = 1; step <= 20; ++step) actuators.push_back(actuators_at(machine, home + step / 20.0 * (q - home)));
     const std::vector<ForwardSolution> way = follow_actuators(machine, actuators, home);
     REQUIRE(way.size() == actuators.size());
-    CHECK(way.back().outcome == ForwardOutcome::converged);
+    CHECK(way.back().outcome == Outcome::good);
     CHECK((way.back().coordinates - q).lpNorm<Eigen::Infinity>() < 1e-9);
   }
 }
@@ -139,13 +139,13 @@ TEST_CASE("a target beyond a singular surface is told as such, or solved on this
     CAPTURE(q.transpose());
     const VectorXd l = actuators_at(machine, q);
     const ForwardSolution s = solver.solve(l, home);
-    if (s.outcome == ForwardOutcome::converged) {  // another pose with the same limbs, on the guess's side
+    if (s.outcome == Outcome::good) {  // another pose with the same limbs, on the guess's side
       CHECK(determinant(machine, s.coordinates) > 0);
       CHECK((actuators_at(machine, s.coordinates) - l).lpNorm<Eigen::Infinity>() < 1e-11);
       ++this_side;
     } else {
       CHECK_FALSE(s.why.empty());
-      s.outcome == ForwardOutcome::other_assembly_mode ? ++other : ++none;
+      s.outcome == Outcome::other_assembly_mode ? ++other : ++none;
     }
   }
   CAPTURE(targets, this_side, other, none);
@@ -160,7 +160,7 @@ TEST_CASE("limbs that no pose has are refused with a sentence") {
   VectorXd l = actuators_at(machine, machine.home());
   l(0) = 3.0;  // limb 1 three metres long and the others as they are: the platform would have to be torn apart
   const ForwardSolution s = solver.solve(l, machine.home());
-  CHECK(s.outcome == ForwardOutcome::not_converged);
+  CHECK(s.outcome == Outcome::not_converged);
   CHECK_THAT(s.why, Catch::StartsWith("no pose near the guess has these actuator values"));
   CHECK(s.residual > 0.1);
   CHECK(std::isfinite(s.residual));

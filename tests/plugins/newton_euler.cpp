@@ -8,6 +8,7 @@
 //     moment  sum of R X dm x (p'' + R'' X) = R m X_c x p'' + ax(R E R''^T),  ax(u v^T) = u x v,
 // and of the inertia about the centre of mass follows E = (tr I / 2) 1 - I + m X_c X_c^T.
 #include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/reactions/inverse_dynamics.hpp>
 #include <core/mechanics/reactions/reactions.hpp>
 #include <tests/plugins/plugin.hpp>
@@ -148,7 +149,7 @@ Forces newton_euler(const Machine& machine, const std::vector<double>& coordinat
   }
   for (const Actuator& a : t.actuators) {
     Vector6 wrench = Vector6::Zero();
-    wrench.segment<3>(a.unit == "m" ? 0 : 3) = jets.axis(a.joint, 0);
+    wrench.segment<3>(a.sense() == Sense::linear ? 0 : 3) = jets.axis(a.joint, 0);
     add(a.joint, wrench);
   }
   REQUIRE(column == equations);

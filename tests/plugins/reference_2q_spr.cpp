@@ -3,6 +3,7 @@
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/statics/statics.hpp>
 #include <tests/plugins/two_q_spr_cases.hpp>
 
 using namespace pmreport;

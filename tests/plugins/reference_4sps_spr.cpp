@@ -3,7 +3,11 @@
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/statics/statics.hpp>
 #include <tests/plugins/four_sps_spr_cases.hpp>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 using namespace pmreport;
 using namespace pmreport::mechanics;

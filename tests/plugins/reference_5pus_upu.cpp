@@ -1,6 +1,8 @@
 // The 5PUS-UPU against an independent model (tests/data/5pus-upu.json): the UPU limb with its parasitic rotation, and the paper's gamma =
 // 0.
 #include <core/mechanics/model/closed_form.hpp>
+#include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/statics/statics.hpp>
 #include <tests/plugins/five_pus_upu.hpp>
 
 using namespace pmreport;

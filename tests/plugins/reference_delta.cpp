@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/statics/statics.hpp>
 #include <random>
 
 using namespace pmreport;

@@ -2,6 +2,7 @@
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/statics/statics.hpp>
 #include <tests/plugins/p2prpu_prps.hpp>
 #include <tests/plugins/reference.hpp>
 

@@ -1,4 +1,6 @@
 // Singularities that the sources state, or that follow from them: ranks of lines and wrenches, yaw angles, mobility.
+#include <core/mechanics/mobility/mobility_count.hpp>
+#include <core/mechanics/model/random_poses.hpp>
 #include <core/mechanics/singularity/singularity.hpp>
 
 #include <tests/plugins/plugin.hpp>

@@ -7,6 +7,7 @@
 #include <tests/plugins/four_sps_spr.hpp>
 
 #include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/statics/statics.hpp>
 #include <fstream>
 
 using namespace pmreport;

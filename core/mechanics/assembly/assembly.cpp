@@ -1,11 +1,11 @@
 #include <core/mechanics/assembly/assembly.hpp>
 
+#include <core/linear/square.hpp>
 #include <core/mechanics/assembly/search.hpp>
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -65,7 +65,7 @@ std::vector<WorkingMode> working_modes(const Machine& machine, bool all) {
 // bodies.
 void name_plainly(const Machine& m, AssemblyMode& mode, double tolerance) {
   const auto& declared = m.topology().coordinates;
-  const auto is_angle = [&](Eigen::Index i) { return declared[static_cast<std::size_t>(i)].unit == "rad"; };
+  const auto is_angle = [&](Eigen::Index i) { return declared[static_cast<std::size_t>(i)].sense() == Sense::rotary; };
   const auto length = [&](const Eigen::VectorXd& q) {
     double sum = 0;
     for (Eigen::Index i = 0; i < q.size(); ++i) sum += is_angle(i) ? std::abs(q(i)) : 0;
@@ -118,7 +118,7 @@ void judge(AssemblyModes& found, const AssemblyTarget& target, const Eigen::Vect
                         .lpNorm<Eigen::Infinity>();
     double g[36];
     m.jacobian(PM_VALUE, 1, mode.pose.numbers.data(), g);
-    mode.determinant = Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(g).determinant();
+    mode.determinant = linear::determinant(Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(g));
     mode.distance = there.status == PM_OK ? distance(m, mode.pose, there, length) : 0;
     const std::vector<BodyState> bodies = bodies_at_rest(m, mode.pose);
     const ClosureError error = closure.error(bodies);

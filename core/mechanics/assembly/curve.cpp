@@ -1,6 +1,7 @@
 #include <core/mechanics/assembly/curve.hpp>
 
-#include <Eigen/LU>
+#include <core/linear/square.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,7 +27,7 @@ Walk<Arrival> newton(Halt& halt, std::size_t word, SmallVector u, double reach, 
     if (miss < best && miss <= good) out = {true, here};
     if (miss <= converged || (best <= good && miss >= best)) break;
     best = miss;
-    step = here.slope.partialPivLu().solve(here.error);
+    step = linear::SmallFactors(here.slope).solve(here.error);
     const double longest = step.lpNorm<Eigen::Infinity>();
     if (!(longest < 1e12)) break;
     if (longest > reach) step *= reach / longest;
@@ -44,10 +45,19 @@ constexpr double far = 30;
 
 // Rows of the held actuators, each of unit length so that a row that grows without bound at the edge of reach does no harm, and below them
 // a direction: the system that both the tangent and the way back to the curve solve.
-struct Bordered {
-  Eigen::PartialPivLU<SmallMatrix> lu;
-  SmallVector off;  // errors of the held actuators in the same measure; 0 along the direction
-  Bordered(const Site& s, const Release& release, const SmallVector& direction) : off(direction.size()) {
+class Bordered {
+ public:
+  Bordered(const Site& s, const Release& release, const SmallVector& direction)
+      : off_(direction.size()), factors_(rows_of(s, release, direction)) {}
+  SmallVector back() const { return factors_.solve(off_); }
+  SmallVector tangent() const {
+    SmallVector last = SmallVector::Zero(off_.size());
+    last(off_.size() - 1) = 1;
+    return factors_.solve(last).normalized();
+  }
+
+ private:
+  SmallMatrix rows_of(const Site& s, const Release& release, const SmallVector& direction) {
     SmallMatrix rows(direction.size(), direction.size());
     Eigen::Index r = 0;
     for (Eigen::Index i = 0; i < direction.size(); ++i) {
@@ -55,18 +65,15 @@ struct Bordered {
       rows.row(r) = s.slope.row(i) - release.share(i) * s.slope.row(release.lead);
       const double scale = 1 / rows.row(r).norm();
       rows.row(r) *= scale;
-      off(r++) = (s.error(i) - release.share(i) * s.error(release.lead)) * scale;
+      off_(r++) = (s.error(i) - release.share(i) * s.error(release.lead)) * scale;
     }
     rows.row(r) = direction.transpose();
-    off(r) = 0;
-    lu.compute(rows);
+    off_(r) = 0;
+    return rows;
   }
-  SmallVector back() const { return lu.solve(off); }
-  SmallVector tangent() const {
-    SmallVector last = SmallVector::Zero(off.size());
-    last(off.size() - 1) = 1;
-    return lu.solve(last).normalized();
-  }
+
+  SmallVector off_;  // errors of the held actuators in the measure of the rows; 0 along the direction
+  linear::SmallFactors factors_;
 };
 
 struct Knot {  // a pose on the curve
@@ -91,8 +98,8 @@ std::vector<double> passages(const Knot& a, const Knot& b, double h) {
 
 }  // namespace
 
-Walk<CurveEnd> trace(Halt& halt, Curve curve, const AssemblyTarget& target, std::function<bool(const Site&)> met) {
-  CurveEnd end;
+Walk<SolutionCurveEnd> trace(Halt& halt, SolutionCurve curve, const AssemblyTarget& target, std::function<bool(const Site&)> met) {
+  SolutionCurveEnd end;
   const auto wrapped = [&](SmallVector difference) {
     for (Eigen::Index i = 0; i < difference.size(); ++i)
       if (target.angle(i)) difference(i) = std::remainder(difference(i), 2 * std::numbers::pi);
@@ -148,7 +155,7 @@ Walk<CurveEnd> trace(Halt& halt, Curve curve, const AssemblyTarget& target, std:
     if (!next || next->tangent.dot(now.tangent) < 0.85) {
       h *= 0.5;
       if (h < (at_edge ? edge_step : shortest_step)) {
-        end = {at_edge ? CurveEnd::How::out_of_reach : CurveEnd::How::far, now.u, now.tangent, bend, end.steps};
+        end = {at_edge ? SolutionCurveEnd::How::out_of_reach : SolutionCurveEnd::How::far, now.u, now.tangent, bend, end.steps};
         co_return end;
       }
       continue;
@@ -158,7 +165,7 @@ Walk<CurveEnd> trace(Halt& halt, Curve curve, const AssemblyTarget& target, std:
     for (const double s : passages(now, *next, length)) {
       const Arrival a = co_await newton(halt, curve.word, now.u + s * (next->u - now.u), 0.1, 12);
       if (a.found && (a.site.u - now.u).norm() < 3 * length && met(a.site)) {
-        end.how = CurveEnd::How::closed;
+        end.how = SolutionCurveEnd::How::closed;
         co_return end;
       }
     }
@@ -167,14 +174,14 @@ Walk<CurveEnd> trace(Halt& halt, Curve curve, const AssemblyTarget& target, std:
     const SmallVector to_first = wrapped(first.u - now.u);
     const double ahead = to_first.dot(now.tangent);
     if (homing && ahead <= 0 && to_first.norm() < longest_step && now.tangent.dot(first.tangent) > 0.8) {
-      end.how = CurveEnd::How::closed;
+      end.how = SolutionCurveEnd::How::closed;
       co_return end;
     }
     homing = ahead > 0 && to_first.norm() < 2 * longest_step;
     if (now.u.norm() > far) break;
     h = std::min(longest_step, h * std::clamp(std::sqrt(0.03 / std::max(away, 1e-6)), 0.5, 2.0));
   }
-  end.how = CurveEnd::How::far;
+  end.how = SolutionCurveEnd::How::far;
   co_return end;
 }
 

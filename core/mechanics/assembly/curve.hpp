@@ -24,14 +24,14 @@ struct Release {
   SmallVector share;       // of each actuator in the motion, that of the lead is 1
 };
 
-struct Curve {
+struct SolutionCurve {  // one of them, as it is to be followed
   std::size_t word = 0;
   const Release* release = nullptr;
   SmallVector start;    // a pose on the curve, or close to it
   SmallVector tangent;  // which way to go; of any length
 };
 
-struct CurveEnd {
+struct SolutionCurveEnd {
   enum class How {
     closed,        // came back to its start
     out_of_reach,  // the pose cannot be assembled any further: two words of the working mode meet there
@@ -43,6 +43,6 @@ struct CurveEnd {
 };
 
 // Follows the curve. `met` is told every mode passed; the curve counts as closed when it answers that this is where the trace began.
-Walk<CurveEnd> trace(Halt& halt, Curve curve, const AssemblyTarget& target, std::function<bool(const Site&)> met);
+Walk<SolutionCurveEnd> trace(Halt& halt, SolutionCurve curve, const AssemblyTarget& target, std::function<bool(const Site&)> met);
 
 }  // namespace pmreport::mechanics

@@ -61,7 +61,7 @@ class Follower {
 
 std::optional<Place> Follower::solve(const Place& from, const SmallVector& actuators, std::size_t word) {
   const ForwardSolution s = solvers_[word]->solve(actuators, from.q);
-  if (s.outcome != ForwardOutcome::converged) return {};
+  if (s.outcome != Outcome::good) return {};
   Place to{word, s.coordinates, words_[word].machine->pose({s.coordinates.data(), static_cast<std::size_t>(s.coordinates.size())})};
   if (to.pose.status != PM_OK || apart(from.pose, to.pose) > near * length_) return {};
   return to;

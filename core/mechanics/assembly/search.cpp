@@ -1,6 +1,7 @@
 #include <core/mechanics/assembly/search.hpp>
 
-#include <Eigen/LU>
+#include <core/linear/square.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -73,7 +74,8 @@ std::size_t AssemblySearch::enter(const Site& site, int start) {
       target_.error(Eigen::Map<const Eigen::VectorXd>(pose.numbers.data() + m.layout().actuator(0), m.dof())).lpNorm<Eigen::Infinity>();
   if (!(residual <= verified)) return no_mode;
   // At a fold two modes are one, found to half the digits only.
-  const double near = std::abs(site.slope.determinant()) < fold ? std::sqrt(same_placement) : same_placement;
+  const linear::SmallFactors slope(site.slope);
+  const double near = std::abs(slope.determinant()) < fold ? std::sqrt(same_placement) : same_placement;
   for (std::size_t k = 0; k < out_.modes.size(); ++k)
     if (same_bodies(m, pose, out_.modes[k].pose, near * target_.size())) return k;
   if (out_.modes.size() >= options_.most_modes) {
@@ -88,7 +90,6 @@ std::size_t AssemblySearch::enter(const Site& site, int start) {
   released_.emplace_back(releases_.size(), false);
   quiet_ = 0;
   if (start > 0) out_.last_new = start;
-  const Eigen::PartialPivLU<SmallMatrix> slope(site.slope);
   for (const Release& r : releases_) {
     const SmallVector tangent = slope.solve(r.share);
     if (tangent.allFinite()) lines_.push_back({{site.word, &r, site.u, tangent}, out_.modes.size() - 1, false});
@@ -191,7 +192,7 @@ bool AssemblySearch::begin_next() {
 // A curve that goes out of reach meets there a curve of a word with one other choice, for both are halves of one smooth curve of the
 // mechanism. Where it is a held actuator that comes to the end of its reach, the poses go on beyond; where it is the released one they turn
 // back, with other values of that actuator. Both are tried with each such word: those that do not fit are not on the curve and end at once.
-void AssemblySearch::cross_the_edge(const Curve& curve, const CurveEnd& end) {
+void AssemblySearch::cross_the_edge(const SolutionCurve& curve, const SolutionCurveEnd& end) {
   for (const auto& [release, u] : edges_)
     if (release == curve.release && (u - end.u).norm() < 0.02) return;
   edges_.emplace_back(curve.release, end.u);
@@ -206,9 +207,9 @@ void AssemblySearch::cross_the_edge(const Curve& curve, const CurveEnd& end) {
 
 void AssemblySearch::finish(Task& task) {
   if (task.trace) {
-    const CurveEnd end = task.trace->result();
-    if (end.how == CurveEnd::How::out_of_reach) cross_the_edge(task.line.curve, end);
-    if (end.how == CurveEnd::How::closed || task.line.mode == no_mode || task.line.back) return;
+    const SolutionCurveEnd end = task.trace->result();
+    if (end.how == SolutionCurveEnd::How::out_of_reach) cross_the_edge(task.line.curve, end);
+    if (end.how == SolutionCurveEnd::How::closed || task.line.mode == no_mode || task.line.back) return;
     Line back = task.line;
     back.back = true;
     back.curve.tangent = -back.curve.tangent;

@@ -34,14 +34,14 @@ class AssemblySearch {
   static constexpr std::size_t no_mode = std::numeric_limits<std::size_t>::max();
 
   struct Line {  // a curve to be followed from a mode, or from the edge of another word's reach
-    Curve curve;
+    SolutionCurve curve;
     std::size_t mode = no_mode;
     bool back = false;  // the second half of a curve whose first half did not close
   };
   struct Task {  // a walk under way
     std::unique_ptr<Halt> halt;
     std::optional<Walk<Arrival>> start;
-    std::optional<Walk<CurveEnd>> trace;
+    std::optional<Walk<SolutionCurveEnd>> trace;
     Line line;
     int number = 0;  // of a start
   };
@@ -51,7 +51,7 @@ class AssemblySearch {
   void begin_start(std::size_t word, const SmallVector& u);
   void begin_trace(const Line& line);
   void finish(Task& task);
-  void cross_the_edge(const Curve& curve, const CurveEnd& end);
+  void cross_the_edge(const SolutionCurve& curve, const SolutionCurveEnd& end);
   void more_candidates();
   std::size_t enter(const Site& site, int start);
   bool enough() const;

@@ -22,8 +22,8 @@ AssemblyTarget::AssemblyTarget(std::span<const std::unique_ptr<Machine>> words, 
     size = std::max(size, (m.centre(m.home_pose(), i) - m.centre(m.home_pose(), 0)).norm());
   if (size > 0) size_ = size;
   for (std::size_t i = 0; i < t.coordinates.size(); ++i) {
-    is_angle_.push_back(t.coordinates[i].unit == "rad");
-    is_turn_.push_back(t.actuators[i].unit == "rad");
+    is_angle_.push_back(t.coordinates[i].sense() == Sense::rotary);
+    is_turn_.push_back(t.actuators[i].sense() == Sense::rotary);
     coordinate_scale_(static_cast<Eigen::Index>(i)) = is_angle_.back() ? 1 : size_;
     actuator_scale_(static_cast<Eigen::Index>(i)) = is_turn_.back() ? 1 : size_;
   }

@@ -1,10 +1,13 @@
 #include <core/mechanics/conformance/diagnosis.hpp>
+
+#include <core/linear/singular_values.hpp>
+#include <core/mechanics/model/constraint_scale.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/model/joint_words.hpp>
 #include <core/text/text.hpp>
 
 #include <fmt/core.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <numbers>
 
@@ -27,16 +30,12 @@ MatrixXd motions_with_drives_held(const Machine& machine, const State& state, do
   const GenericModel model = generic_model(machine, state);
   MatrixXd all(model.constraints.rows() + model.actuation.rows(), model.constraints.cols());
   all << model.constraints, model.actuation;
-  for (Eigen::Index body = 0; body < all.cols() / 6; ++body) all.middleCols(6 * body + 3, 3) /= length;
-  for (Eigen::Index r = 0; r < all.rows(); ++r) all.row(r).normalize();
-  const Eigen::JacobiSVD<MatrixXd> svd(all, Eigen::ComputeFullV);
-  const Eigen::Index rank = (svd.singularValues().array() > 1e-9).count();
-  return svd.matrixV().rightCols(all.cols() - rank);
+  return linear::null_space_by_singular_values(unit_rows(std::move(all), length));
 }
 
 // A motion of the platform, linear part and rotations times length: "shift along (0, 0, 1)" or "turn about (0, 0, 1)".
 std::string motion_in_words(const VectorXd& twist) {
-  const bool turns = twist.tail(3).norm() > 1e-6 * twist.norm();
+  const bool turns = twist.tail(3).norm() > linear::part_tolerance * twist.norm();
   Vector3d d = (turns ? twist.tail<3>() : twist.head<3>()).normalized();
   Eigen::Index largest = 0;
   d.cwiseAbs().maxCoeff(&largest);
@@ -143,19 +142,19 @@ std::string about_mobility(const Machine& machine, const State& state, const Mob
     const auto rows = static_cast<Eigen::Index>(6 * body - 6);
     const Vector3d spine = state.bodies[body].rotation.col(2);
     const auto spin = moves.middleRows(rows + 3, 3);
-    if (t.bodies[body].slender && (spine.transpose() * spin).norm() > 1e-6) {
+    if (t.bodies[body].slender && (spine.transpose() * spin).norm() > linear::part_tolerance) {
       spinning.push_back(t.bodies[body].name);
       moves.middleRows(rows + 3, 3) -= spine * (spine.transpose() * spin).eval();
     }
-    if (moves.middleRows(rows, 6).norm() > 1e-6) loose.push_back(t.bodies[body].name);
+    if (moves.middleRows(rows, 6).norm() > linear::part_tolerance) loose.push_back(t.bodies[body].name);
   }
   if (loose.empty())
     return out + fmt::format("; {}: declare {} idle freedoms",
                              spinning.empty() ? "nothing spins about itself" : "about themselves spin " + listed(spinning), found.idle);
   out += fmt::format("; with every actuator held {} can still move", listed(loose));
-  const Eigen::JacobiSVD<MatrixXd> platform(moves.middleRows(6 * t.platform - 6, 6), Eigen::ComputeThinU);
-  const auto ways = (platform.singularValues().array() > 1e-6).count();
-  if (ways == 1) out += fmt::format(", the platform can {}", motion_in_words(platform.matrixU().col(0)));
+  const linear::LeftSingular platform = linear::left_singular(moves.middleRows(6 * t.platform - 6, 6));
+  const auto ways = (platform.values.array() > linear::part_tolerance).count();
+  if (ways == 1) out += fmt::format(", the platform can {}", motion_in_words(platform.vectors.col(0)));
   return out + (ways > 0 ? ": a coordinate with its actuator is missing, or a joint or a limb, or a joint allows too much"
                          : ": a joint is missing, or allows too much");
 }

@@ -2,7 +2,8 @@
 // mistake. They cost more than the test that failed, and are asked for only then.
 #pragma once
 
-#include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/mobility/mobility_count.hpp>
+
 #include <string>
 
 namespace pmreport::mechanics {

@@ -1,6 +1,8 @@
 #include <core/mechanics/conformance/dynamics_properties.hpp>
 
-#include <Eigen/Eigenvalues>
+#include <core/linear/eigenvalues.hpp>
+#include <core/mechanics/model/effort.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,7 +18,7 @@ namespace {
 double worse(double worst, double x) { return std::isnan(x) ? std::numeric_limits<double>::infinity() : std::max(worst, x); }
 
 double size_of(const Machine& machine, std::size_t coordinate, double length) {
-  return machine.topology().coordinates[coordinate].unit == "m" ? length : 1.0;
+  return mechanics::size_of(machine.topology().coordinates[coordinate].sense(), length);
 }
 
 }  // namespace
@@ -27,9 +29,8 @@ InertiaDeviation inertia_deviation(const Topology& topology) {
     const Inertia& inertia = topology.bodies[b].inertia;
     double value = inertia.mass < 0 || !std::isfinite(inertia.mass) ? 1 : 0;
     if (const double largest = inertia.about_centre.cwiseAbs().maxCoeff(); largest > 0 || std::isnan(largest)) {
-      const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(inertia.about_centre, Eigen::EigenvaluesOnly);
       value = worse(value, (inertia.about_centre - inertia.about_centre.transpose()).cwiseAbs().maxCoeff() / largest);
-      value = worse(value, -eigen.eigenvalues().minCoeff() / largest);
+      value = worse(value, -linear::symmetric_eigenvalues(inertia.about_centre).minCoeff() / largest);
     }
     if (value > d.value) d = {value, static_cast<int>(b)};
   }
@@ -45,8 +46,7 @@ double mass_matrix_deviation(const Machine& machine, const State& state, const T
   const double largest = mass.cwiseAbs().maxCoeff();
   if (largest == 0) return 0;
   constexpr double vanishing = 1e-12;  // some rounding of the sums; the least of a real mechanism is above 1e-6
-  const Eigen::SelfAdjointEigenSolver<SmallMatrix> eigen(mass, Eigen::EigenvaluesOnly);
-  const bool positive = eigen.eigenvalues().minCoeff() > vanishing * largest;
+  const bool positive = linear::symmetric_eigenvalues(mass).minCoeff() > vanishing * largest;
   return worse(positive ? 0 : 1, (mass - mass.transpose()).cwiseAbs().maxCoeff() / largest);
 }
 

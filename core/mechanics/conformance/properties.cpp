@@ -4,10 +4,13 @@
 #include <core/mechanics/conformance/diagnosis.hpp>
 #include <core/mechanics/conformance/dynamics_properties.hpp>
 #include <core/mechanics/displacement/displacement.hpp>
+#include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/differences.hpp>
+#include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/statics/statics.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -132,7 +135,7 @@ class Suite {
     VectorXd v(machine_.dof());
     for (int i = 0; i < v.size(); ++i)
       v(i) = s * std::uniform_real_distribution(-1.0, 1.0)(random_) *
-             (machine_.topology().coordinates[static_cast<std::size_t>(i)].unit == "m" ? length_ : 1.0);
+             size_of(machine_.topology().coordinates[static_cast<std::size_t>(i)].sense(), length_);
     return v;
   }
   std::string joint_name(int joint) const { return joint < 0 ? "" : in_words(machine_, joint); }
@@ -236,8 +239,8 @@ class Suite {
     double worst = 0;
     for (int i = 0; i < q.size(); ++i)
       worst = std::max(worst, std::abs(s.coordinates(i) - q(i)) /
-                                  (machine_.topology().coordinates[static_cast<std::size_t>(i)].unit == "m" ? length_ : 1.0));
-    note(*round_trip_, s.outcome == ForwardOutcome::converged ? worst : std::numeric_limits<double>::infinity(), at(s.why));
+                                  size_of(machine_.topology().coordinates[static_cast<std::size_t>(i)].sense(), length_));
+    note(*round_trip_, s.outcome == Outcome::good ? worst : std::numeric_limits<double>::infinity(), at(s.why));
   }
 
   void statics(const GenericModel& model, const ClosedForm& c, const Vector6d& twist) {

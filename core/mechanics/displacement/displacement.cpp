@@ -1,10 +1,13 @@
 #include <core/mechanics/displacement/displacement.hpp>
 
-#include <fmt/core.h>
-#include <core/mechanics/model/generic_model.hpp>
+#include <core/assertion.hpp>
+#include <core/linear/square.hpp>
+#include <core/mechanics/model/effort.hpp>
 
-#include <Eigen/LU>
+#include <fmt/core.h>
+
 #include <cmath>
+#include <limits>
 
 namespace pmreport::mechanics {
 
@@ -16,7 +19,10 @@ ForwardSolver::ForwardSolver(const Machine& machine)
     size_ = std::max(size_, (machine.centre(machine.home_pose(), i) - machine.centre(machine.home_pose(), 0)).norm());
   if (size_ == 0) size_ = 1;  // all joints in one point: a size says nothing
   largest_step_.resize(machine.dof());
-  for (int i = 0; i < machine.dof(); ++i) largest_step_(i) = t.coordinates[static_cast<std::size_t>(i)].unit == "m" ? 0.1 * size_ : 0.3;
+  for (int i = 0; i < machine.dof(); ++i) {
+    const bool length = t.coordinates[static_cast<std::size_t>(i)].sense() == Sense::linear;
+    largest_step_(i) = length ? 0.1 * size_ : 0.3;
+  }
 }
 
 bool ForwardSolver::place(const SmallVector& q) { return machine_.place(PM_VALUE, 1, q.data(), values_.data()) == PM_OK; }
@@ -32,18 +38,20 @@ SmallMatrix ForwardSolver::inverse_jacobian(const SmallVector& q) {
   const double* at = partials_.data() + machine_.layout().actuator(0) * static_cast<std::size_t>(1 + m);
   for (int i = 0; i < m; ++i)
     for (int k = 0; k < m; ++k) j(i, k) = at[i * (1 + m) + 1 + k];
-  return j.partialPivLu().inverse();
+  return linear::inverse(j);
 }
 
 // det G at the pose last placed.
 double ForwardSolver::determinant() const {
   double g[36];
   machine_.jacobian(PM_VALUE, 1, values_.data(), g);
-  return Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(g).determinant();
+  return linear::determinant(Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(g));
 }
 
 ForwardSolution ForwardSolver::solve(const SmallVector& actuators, const SmallVector& guess) {
-  ForwardSolution out{ForwardOutcome::not_converged, guess, std::numeric_limits<double>::infinity(), 0, ""};
+  PMREPORT_ASSERT(actuators.size() == machine_.dof() && guess.size() == machine_.dof(),
+                  "there are as many of either as degrees of freedom");
+  ForwardSolution out{Outcome::not_converged, guess, std::numeric_limits<double>::infinity(), 0, ""};
   SmallVector q = guess;
   if (!place(q)) {
     out.why = "the guess itself cannot be assembled";
@@ -65,7 +73,7 @@ ForwardSolution ForwardSolver::solve(const SmallVector& actuators, const SmallVe
                             out.iterations);
       return out;
     }
-    SmallVector step = inverse * e;
+    SmallVector step = inverse * e;  // (1)
     const double excess = (step.array() / largest_step_.array()).abs().maxCoeff();
     if (!(excess < 1e12)) {
       out.why = "the actuators do not determine the pose there (singular)";
@@ -88,7 +96,7 @@ ForwardSolution ForwardSolver::solve(const SmallVector& actuators, const SmallVe
       inverse = inverse_jacobian(q);
       fresh = true;
     } else {
-      const SmallVector seen = inverse * (e - next);  // J^-1 dl for the step just made, to be equal to it
+      const SmallVector seen = inverse * (e - next);  // J^-1 dl; (2)
       const Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, 6> row = step.transpose() * inverse;
       inverse += (step - seen) * row / step.dot(seen);
       fresh = false;
@@ -97,9 +105,9 @@ ForwardSolution ForwardSolver::solve(const SmallVector& actuators, const SmallVe
   }
   if (out.coordinates != q) place(out.coordinates);
   if (determinant() * side > 0) {
-    out.outcome = ForwardOutcome::converged;
+    out.outcome = Outcome::good;
   } else {
-    out.outcome = ForwardOutcome::other_assembly_mode;
+    out.outcome = Outcome::other_assembly_mode;
     out.why = "the solution lies beyond a singular surface (det G has changed its sign): it belongs to another assembly mode";
   }
   return out;
@@ -112,7 +120,7 @@ std::vector<ForwardSolution> follow_actuators(const Machine& machine, const std:
   SmallVector guess = start;
   for (const auto& l : actuators) {
     out.push_back(solver.solve(l, guess));
-    if (out.back().outcome != ForwardOutcome::converged) break;
+    if (out.back().outcome != Outcome::good) break;
     guess = out.back().coordinates;
   }
   return out;

@@ -1,37 +1,33 @@
 // Forward displacement: the coordinates at which the actuators have given values.
 #pragma once
 
-#include <Eigen/Core>
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/model/outcome.hpp>
 #include <core/mechanics/model/state.hpp>
 
 namespace pmreport::mechanics {
 
-using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;  // dof long, without an allocation
-using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
-
-enum class ForwardOutcome {
-  converged,
-  not_converged,       // no solution near the guess: out of reach, or the guess is too far
-  other_assembly_mode  // the way to the solution crosses a singular surface: it belongs to another assembly mode
-};
-
 struct ForwardSolution {
-  ForwardOutcome outcome = ForwardOutcome::not_converged;
+  Outcome outcome = Outcome::not_converged;
   SmallVector coordinates;  // the best found
   double residual = 0;      // largest actuator deviation, [m] or [rad]
   int iterations = 0;       // evaluations of `place`
-  std::string why;          // a sentence when not converged
+  std::string why;          // a sentence when not good
 };
 
-// Newton on l(q) = l*: J dq = l* - l(q), J = dl/dq from the exact partials of `place`. A placement with partials costs several plain
-// ones, so J^-1 is kept and improved by Broyden's rank-one update while the error falls fast, and taken anew from the partials when it does
-// not. A step is at most a tenth of the mechanism's size, or 0.3 rad, and halved while the pose it leads to cannot be assembled. The guess
-// tells the assembly mode: the solution must have det G of the same sign. Keeps its buffers: make one a thread and reuse it.
+// Newton's method on l(q) = l*, l* the actuators:
+//     J dq = l* - l(q),   J = dl/dq from the exact partials of `place`              (1)
+// A placement with partials costs several plain ones, so J^-1 is kept and improved by Broyden's rank-one update (1965), after a step dq
+// that changed l by dl,
+//     J^-1 += (dq - J^-1 dl) dq^T J^-1 / (dq^T J^-1 dl)                             (2)
+// so that J^-1 dl = dq, while the error falls fast, and taken anew from the partials when it does not. A step is at most a tenth of the
+// mechanism's size, or 0.3 rad, and halved while the pose it leads to cannot be assembled. The guess tells the assembly mode: the solution
+// must have det G of the same sign. Keeps its buffers: make one a thread and reuse it.
 class ForwardSolver {
  public:
-  explicit ForwardSolver(const Machine& machine);
+  explicit ForwardSolver(const Machine& machine);  // which must outlive it
 
+  // `actuators`: l* [m], [rad]; `guess`: coordinates [m], [rad]; both dof long. Outcomes: good, not_converged (then the best met is given),
+  // other_assembly_mode. Throws nothing.
   ForwardSolution solve(const SmallVector& actuators, const SmallVector& guess);
 
   static constexpr double tolerance = 1e-14;  // of the actuators, relative to the mechanism's size: a few roundings

@@ -1,8 +1,10 @@
 #include <core/mechanics/displacement/follow.hpp>
 
+#include <core/assertion.hpp>
+#include <core/linear/square.hpp>
+#include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -33,7 +35,8 @@ Follower::Follower(const Machine& machine, const Drive& drive)
       partials_(machine.layout().size() * machine.components(PM_PARTIALS)),
       jets_(machine.layout().size() * machine.components(PM_JET)) {
   const double length = characteristic_length(machine);
-  for (int i = 0; i < machine.dof(); ++i) unit_(i) = machine.topology().coordinates[static_cast<std::size_t>(i)].unit == "m" ? length : 1.0;
+  for (int i = 0; i < machine.dof(); ++i)
+    unit_(i) = mechanics::size_of(machine.topology().coordinates[static_cast<std::size_t>(i)].sense(), length);
   largest_determinant_ = std::abs(determinant(machine.home()));
 }
 
@@ -44,11 +47,10 @@ double Follower::determinant(const SmallVector& q) {
   if (machine_.place(PM_VALUE, 1, q.data(), values_.data()) != PM_OK) return std::numeric_limits<double>::quiet_NaN();
   double g[36];
   machine_.jacobian(PM_VALUE, 1, values_.data(), g);
-  return Eigen::Map<const Matrix6d>(g).determinant();  // of the transpose, which has the same
+  return linear::determinant(Eigen::Map<const Matrix6d>(g));  // of the transpose, which has the same
 }
 
-// With J = dl/dq:   l' = J q'   and   l'' = J q'' + (dJ/dt) q'. The jet of l along (q, q', 0) has the second derivative (dJ/dt) q',
-// exactly.
+// (1) and (2). The jet of l along (q, q', 0) has the second derivative J' q', exactly.
 Waymark Follower::waymark(double t, const SmallVector& q) {
   const int m = machine_.dof();
   const std::size_t first = machine_.layout().actuator(0), components = machine_.components(PM_PARTIALS);
@@ -58,7 +60,7 @@ Waymark Follower::waymark(double t, const SmallVector& q) {
   SmallMatrix j(m, m);
   for (int i = 0; i < m; ++i)
     for (int k = 0; k < m; ++k) j(i, k) = partials_[(first + static_cast<std::size_t>(i)) * components + 1 + static_cast<std::size_t>(k)];
-  const Eigen::PartialPivLU<SmallMatrix> lu(j);
+  const linear::SmallFactors lu(j);
   Waymark out{t, q, lu.solve(rate), SmallVector::Zero(m)};
 
   std::vector<double> along(static_cast<std::size_t>(3 * m));
@@ -79,11 +81,11 @@ bool Follower::step(const Waymark& from, double to, SmallVector& q) {
   drive_(to, l.data(), rate.data(), acceleration.data());
   if (!l.allFinite()) return false;
   const double h = to - from.time, side = determinant(from.value);
-  SmallVector guess = from.value + h * (from.rate + h / 2 * from.acceleration);
+  SmallVector guess = from.value + h * (from.rate + h / 2 * from.acceleration);  // (3)
   if (!guess.allFinite() || size_of(guess - from.value) > longest_step) return false;
   if (!(determinant(guess) * side > 0)) guess = from.value;
   const ForwardSolution s = solver_.solve(l, guess);
-  if (s.outcome != ForwardOutcome::converged) return false;
+  if (s.outcome != Outcome::good) return false;
   const double moved = size_of(s.coordinates - from.value), corrected = size_of(s.coordinates - guess);
   if (moved > longest_step || corrected > std::max(largest_share * moved, negligible)) return false;
   const double determinant_there = determinant(s.coordinates);
@@ -108,34 +110,35 @@ Follower::Arrival Follower::go(Waymark at, double to, double resolution) {
     h = (next - at.time) / 2;
     if (std::abs(h) < resolution) return stopped(std::move(at), direction, resolution);
   }
-  return {std::move(at), Obstacle::none, ""};
+  return {std::move(at), Outcome::good, ""};
 }
 
 // Why the way ends: where det G has vanished the surface is singular. Elsewhere the mechanism may say itself why it goes no further.
 Follower::Arrival Follower::stopped(Waymark at, double direction, double resolution) {
   const double left = std::abs(determinant(at.value));
-  if (!(left > vanished * largest_determinant_)) return {std::move(at), Obstacle::singular, ""};
+  if (!(left > vanished * largest_determinant_)) return {std::move(at), Outcome::singular, ""};
   std::string why;
   for (double h = resolution; why.empty() && size_of(h * at.rate) < negligible && h < 1e9 * resolution; h *= 2) {
     const SmallVector beyond = at.value + direction * h * at.rate;
     if (machine_.place(PM_VALUE, 1, beyond.data(), values_.data(), &why) == PM_OK) why.clear();
   }
-  return {std::move(at), Obstacle::unreachable, why};
+  return {std::move(at), Outcome::unreachable, why};
 }
 
 FollowedMotion follow(const Machine& machine, const Drive& drive, const std::vector<double>& times, const SmallVector& start) {
+  PMREPORT_ASSERT(!times.empty() && start.size() == machine.dof(), "a way has a beginning");
   FollowedMotion out;
   const auto rows = static_cast<Eigen::Index>(times.size());
   for (Eigen::MatrixXd* m : {&out.value, &out.rate, &out.acceleration})
     m->setConstant(rows, machine.dof(), std::numeric_limits<double>::quiet_NaN());
   const double resolution = resolution_of_span * (times.back() - times.front());
   Follower follower(machine, drive);
-  Follower::Arrival a{follower.waymark(times.front(), start), Obstacle::none, ""};
+  Follower::Arrival a{follower.waymark(times.front(), start), Outcome::good, ""};
   for (Eigen::Index k = 0; k < rows; ++k) {
     if (k > 0) a = follower.go(std::move(a.at), times[static_cast<std::size_t>(k)], resolution);
     out.ending = a.at.time;
-    if (a.obstacle != Obstacle::none) {
-      out.obstacle = a.obstacle;
+    if (a.outcome != Outcome::good) {
+      out.outcome = a.outcome;
       out.why = a.why;
       return out;
     }
@@ -162,7 +165,7 @@ Approach approach(const Machine& machine, const SmallVector& start, const SmallV
   };
   Follower follower(machine, straight);
   const Follower::Arrival a = follower.go(follower.waymark(0, start), 1, resolution_of_span);
-  return {a.at.value, a.at.time, a.obstacle, a.why};
+  return {a.at.value, a.at.time, a.outcome, a.why};
 }
 
 }  // namespace pmreport::mechanics

@@ -1,4 +1,10 @@
-// Prescribed actuators: the coordinates that follow them along a motion, with exact rates and accelerations.
+// Prescribed actuators: the coordinates that follow them along a motion, with exact rates and accelerations. With l(q) the actuators and
+// J = dl/dq,
+//     l' = J q'                              (1)
+//     l'' = J q'' + J' q'                    (2)
+// give q' and q'' at a pose, and from these the pose h later is foretold,
+//     q(t + h) = q + h q' + h^2 q'' / 2      (3)
+// and found by forward displacement from there.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,13 +17,6 @@ namespace pmreport::mechanics {
 
 // The actuators at a time [s]: values, rates and accelerations, each dof long, SI.
 using Drive = std::function<void(double t, double* value, double* rate, double* acceleration)>;
-
-// What a branch of forward displacement ends at.
-enum class Obstacle {
-  none,
-  singular,    // a singular surface: the branch folds back there, or goes on with another sign of det G
-  unreachable  // the edge of what can be assembled, at a regular pose
-};
 
 struct Waymark {  // on the way of the coordinates
   double time = 0;
@@ -36,8 +35,8 @@ class Follower {
   // unless an obstacle is in the way.
   struct Arrival {
     Waymark at;
-    Obstacle obstacle = Obstacle::none;
-    std::string why;  // the mechanism's own reason, where it gives one
+    Outcome outcome = Outcome::good;  // or singular, or unreachable
+    std::string why;                  // the mechanism's own reason, where it gives one
   };
   Arrival go(Waymark from, double to, double resolution);
 
@@ -58,8 +57,8 @@ class Follower {
 struct FollowedMotion {
   Eigen::MatrixXd value, rate, acceleration;  // one row a time, SI; NaN from the obstacle on
   std::size_t reached = 0;                    // times with a pose
-  Obstacle obstacle = Obstacle::none;
-  double ending = 0;  // the last time with a pose [s], to 1e-10 of the whole span
+  Outcome outcome = Outcome::good;            // or singular, or unreachable
+  double ending = 0;                          // the last time with a pose [s], to 1e-10 of the whole span
   std::string why;
 };
 
@@ -71,11 +70,12 @@ FollowedMotion follow(const Machine& machine, const Drive& drive, const std::vec
 struct Approach {
   SmallVector coordinates;
   double share = 0;
-  Obstacle obstacle = Obstacle::none;
+  Outcome outcome = Outcome::good;
   std::string why;
 };
 Approach approach(const Machine& machine, const SmallVector& start, const SmallVector& actuators);
 
+// The actuators at a pose, dof numbers [m], [rad]; NaN where it cannot be assembled.
 SmallVector actuators_at(const Machine& machine, const SmallVector& coordinates);
 
 }  // namespace pmreport::mechanics

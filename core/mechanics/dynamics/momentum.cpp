@@ -1,6 +1,7 @@
 #include <core/mechanics/dynamics/momentum.hpp>
 
-#include <core/mechanics/model/generic_model.hpp>
+#include <core/assertion.hpp>
+#include <core/mechanics/statics/statics.hpp>
 
 #include <Eigen/Geometry>
 
@@ -25,14 +26,15 @@ void each_body(const Machine& machine, const State& state, F&& f) {
 }  // namespace
 
 VectorXd inertial_wrenches(const Machine& machine, const State& state) {
+  PMREPORT_ASSERT(state.status == PM_OK, "the state is that of an assembled pose");
   VectorXd w(6 * (static_cast<int>(state.bodies.size()) - 1));
   each_body(machine, state, [&](int i, const Inertia& inertia, const BodyState& b) {
-    const Vector3d c = b.rotation * inertia.centre, &rate = b.angular_velocity;
-    const Vector3d force = inertia.mass * (b.acceleration + b.angular_acceleration.cross(c) + rate.cross(rate.cross(c)));
-    const Vector3d turn = b.rotation.transpose() * rate, turn_rate = b.rotation.transpose() * b.angular_acceleration;  // in body axes
-    const Vector3d couple = b.rotation * (inertia.about_centre * turn_rate + turn.cross(inertia.about_centre * turn));
+    const Vector3d p_AC = b.rotation * inertia.centre, &w_A = b.angular_velocity;
+    const Vector3d force = inertia.mass * (b.acceleration + b.angular_acceleration.cross(p_AC) + w_A.cross(w_A.cross(p_AC)));  // (1)
+    const Vector3d w_A_A = b.rotation.transpose() * w_A, e_A_A = b.rotation.transpose() * b.angular_acceleration;
+    const Vector3d couple = b.rotation * (inertia.about_centre * e_A_A + w_A_A.cross(inertia.about_centre * w_A_A));
     w.segment<3>(6 * i - 6) = force;
-    w.segment<3>(6 * i - 3) = c.cross(force) + couple;
+    w.segment<3>(6 * i - 3) = p_AC.cross(force) + couple;  // (2)
   });
   return w;
 }
@@ -46,8 +48,8 @@ VectorXd applied_wrenches(const Machine& machine, const State& state, const Load
 double kinetic_energy(const Machine& machine, const State& state) {
   double energy = 0;
   each_body(machine, state, [&](int, const Inertia& inertia, const BodyState& b) {
-    const Vector3d velocity = b.velocity + b.angular_velocity.cross(b.rotation * inertia.centre);
-    energy += 0.5 * inertia.mass * velocity.squaredNorm() + 0.5 * b.angular_velocity.dot(in_base_axes(inertia, b) * b.angular_velocity);
+    const Vector3d v_C = b.velocity + b.angular_velocity.cross(b.rotation * inertia.centre);
+    energy += 0.5 * inertia.mass * v_C.squaredNorm() + 0.5 * b.angular_velocity.dot(in_base_axes(inertia, b) * b.angular_velocity);
   });
   return energy;
 }
@@ -60,6 +62,7 @@ double potential_energy(const Machine& machine, const State& state, const Vector
   return energy;
 }
 
+// (3).
 Matrix6d mass_matrix(const Inertia& inertia, const BodyState& b) {
   const Matrix3d c = cross_matrix(b.rotation * inertia.centre);
   Matrix6d m;

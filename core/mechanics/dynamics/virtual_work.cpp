@@ -1,8 +1,8 @@
 #include <core/mechanics/dynamics/virtual_work.hpp>
 
-#include <core/mechanics/model/generic_model.hpp>
-
-#include <Eigen/LU>
+#include <core/assertion.hpp>
+#include <core/linear/square.hpp>
+#include <core/mechanics/statics/statics.hpp>
 
 namespace pmreport::mechanics {
 
@@ -25,6 +25,7 @@ Tangent tangent(const Machine& machine, const State& state) {
 // Of a rotation R, dR R^T is skew, and its entries are those of its axial vector: dR R^T (2, 1) = (row 2 of dR) . (row 1 of R) is the
 // first. A slender body turns about n x dn.
 void tangent(const Machine& machine, const State& state, Tangent& out) {
+  PMREPORT_ASSERT(state.status == PM_OK, "the state is that of an assembled pose");
   const Topology& t = machine.topology();
   const Layout& layout = machine.layout();
   const Eigen::Index dof = machine.dof(), components = 1 + dof;
@@ -56,8 +57,10 @@ void tangent(const Machine& machine, const State& state, Tangent& out) {
   }
 }
 
+// (1).
 ForceShares virtual_work(const Machine& machine, const State& state, const Tangent& tangent, const Loading& loading) {
-  const auto solver = tangent.actuators.transpose().partialPivLu();
+  PMREPORT_ASSERT(tangent.actuators.rows() == machine.dof(), "the tangent is that of the state");
+  const linear::SmallFactorsOfTranspose solver(tangent.actuators.transpose());
   const auto forces = [&](const auto& rows, const auto& wrenches) -> SmallVector {
     return solver.solve(SmallVector(rows.transpose() * wrenches));
   };
@@ -68,9 +71,11 @@ ForceShares virtual_work(const Machine& machine, const State& state, const Tange
 
 SmallVector weight_forces(const Machine& machine, const State& state, const Vector3d& gravity) {
   const Tangent k = tangent(machine, state);
-  return k.actuators.transpose().partialPivLu().solve(SmallVector(-k.bodies.transpose() * weights(machine, state, gravity)));
+  return linear::SmallFactorsOfTranspose(k.actuators.transpose())
+      .solve(SmallVector(-k.bodies.transpose() * weights(machine, state, gravity)));
 }
 
+// (2).
 EquationsOfMotion equations_of_motion(const Machine& machine, const State& state, const Tangent& tangent, const Vector3d& gravity) {
   EquationsOfMotion e;
   const int m = machine.dof();
@@ -88,8 +93,9 @@ EquationsOfMotion equations_of_motion(const Machine& machine, const State& state
   return e;
 }
 
+// (3).
 SmallVector reflected_inertia(const Tangent& tangent, const SmallMatrix& mass) {
-  const SmallMatrix inverse = tangent.actuators.inverse();
+  const SmallMatrix inverse = linear::inverse(tangent.actuators);
   return (inverse.transpose() * mass * inverse).diagonal();
 }
 

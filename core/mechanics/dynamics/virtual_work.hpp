@@ -1,12 +1,13 @@
 // Dynamics in the independent coordinates, by virtual work with the exact partials of `place`.
 //
 // For every admissible displacement dq, with dl = J dq of the actuators and K dq of the bodies (displacement of the origin; rotation),
-//     tau . J dq + (applied - inertial) . K dq = 0,   hence   tau = J^-T K^T (inertial - applied):
+//     tau . J dq + (applied - inertial) . K dq = 0,   hence   tau = J^-T K^T (inertial - applied)        (1)
 // the joints do no work, and no reaction enters. With inertial = M_b K q'' + terms of the rates, the same sums give the equations of motion
-//     M q'' + c + g = J^T tau + K^T load,   M = K^T M_b K.
+//     M q'' + c + g = J^T tau + K^T load,   M = K^T M_b K                                                (2)
+// in which M_b has the mass matrices of the bodies on its diagonal. In the actuators' rates l' = J q' the kinetic energy is
+// l' . (J^-T M J^-1) l' / 2                                                                              (3)
 #pragma once
 
-#include <core/mechanics/displacement/displacement.hpp>
 #include <core/mechanics/dynamics/momentum.hpp>
 
 namespace pmreport::mechanics {
@@ -18,7 +19,7 @@ struct Tangent {
   SmallMatrix actuators;  // J, m x m
   std::vector<double> placement_partials;  // as the contract has them
 };
-// Of the pose of `state`. The second reuses the memory of `out`.
+// Of the pose of `state`, which is PM_OK. The second reuses the memory of `out`.
 Tangent tangent(const Machine& machine, const State& state);
 void tangent(const Machine& machine, const State& state, Tangent& out);
 
@@ -27,6 +28,7 @@ struct ForceShares {
   SmallVector load, gravity, inertia;
   SmallVector total() const { return load + gravity + inertia; }
 };
+// By (1), each share of the wrenches apart. J is singular where an inverse singularity is: then the forces are not finite, or large.
 ForceShares virtual_work(const Machine& machine, const State& state, const Tangent& tangent, const Loading& loading);
 
 // The share of the weights alone, at rest or not.
@@ -38,10 +40,10 @@ struct EquationsOfMotion {
   SmallVector coriolis;  // centrifugal and Coriolis terms at the rates of the state
   SmallVector gravity;
 };
-// At the coordinates and rates of `state`; its accelerations play no part.
+// (2), at the coordinates and rates of `state`; its accelerations play no part. `gravity` [m/s^2].
 EquationsOfMotion equations_of_motion(const Machine& machine, const State& state, const Tangent& tangent, const Eigen::Vector3d& gravity);
 
-// The inertia that each actuator feels, the other actuators held: diagonal of J^-T M J^-1 [kg], or [kg m^2] of a rotary actuator.
+// The inertia that each actuator feels, the other actuators held: diagonal of (3) [kg], or [kg m^2] of a rotary actuator. `mass`: M.
 SmallVector reflected_inertia(const Tangent& tangent, const SmallMatrix& mass);
 
 }  // namespace pmreport::mechanics

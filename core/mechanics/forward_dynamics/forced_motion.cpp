@@ -1,8 +1,10 @@
 #include <core/mechanics/forward_dynamics/forced_motion.hpp>
 
+#include <core/linear/square.hpp>
+#include <core/mechanics/dynamics/virtual_work.hpp>
+
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <cmath>
 
 namespace pmreport::mechanics {
@@ -17,7 +19,7 @@ SmallVector inertia_scale(const Machine& machine, const SmallMatrix& mass) {
   SmallVector scale(mass.rows());
   for (int i = 0; i < mass.rows(); ++i) {
     if (!(mass(i, i) > 0))
-      throw NoMotion(ForwardEnd::failed,
+      throw NoMotion(Outcome::failed,
                      fmt::format("nothing that has mass moves with {}", machine.topology().coordinates[static_cast<std::size_t>(i)].name));
     scale(i) = std::sqrt(mass(i, i));
   }
@@ -33,9 +35,9 @@ void ForcedMotion::place(const SmallVector& q, const SmallVector& rate) {
   constexpr double beyond = 1e12;  // [m], [rad], and a second: products of jets overflow long after, but mean nothing here already
   const auto moves = [](const SmallVector& x) { return x.cwiseAbs().maxCoeff() < beyond; };
   if (!q.allFinite() || !rate.allFinite() || !moves(q) || !moves(rate))
-    throw NoMotion(ForwardEnd::failed, "the motion grows beyond the range of numbers");
+    throw NoMotion(Outcome::failed, "the motion grows beyond the range of numbers");
   evaluate(machine_, q.data(), rate.data(), none_.data(), state_);
-  if (state_.status == PM_UNREACHABLE) throw NoMotion(ForwardEnd::unreachable, state_.why);
+  if (state_.status == PM_UNREACHABLE) throw NoMotion(Outcome::unreachable, state_.why);
   if (state_.status != PM_OK) throw MechanismError(PM_FAILED, state_.why);
 }
 
@@ -50,25 +52,24 @@ ForcedMotion::Answer ForcedMotion::at(double t, const SmallVector& q, const Smal
   problem_.actuator_forces(t, state_.actuators, forces_.data());
   for (int i = 0; i < forces_.size(); ++i)
     if (!std::isfinite(forces_(i)))
-      throw NoMotion(ForwardEnd::failed,
+      throw NoMotion(Outcome::failed,
                      fmt::format("the force of {} has no finite value", machine_.topology().actuators[static_cast<std::size_t>(i)].name));
   SmallVector drive = k.actuators.transpose() * forces_;
   if (problem_.load) {
     const Vector6d load = problem_.load(t);
-    if (!load.allFinite()) throw NoMotion(ForwardEnd::failed, "the load has no finite value");
+    if (!load.allFinite()) throw NoMotion(Outcome::failed, "the load has no finite value");
     drive += k.bodies.middleRows<6>(6 * machine_.topology().platform - 6).transpose() * load;
   }
 
   const SmallVector scale = inertia_scale(machine_, e.mass);
   const SmallMatrix scaled = scale.cwiseInverse().asDiagonal() * e.mass * scale.cwiseInverse().asDiagonal();
-  const Eigen::LDLT<SmallMatrix> factor(scaled);  // after Cholesky, with pivots
-  if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > no_inertia))
-    throw NoMotion(ForwardEnd::failed, "the mass matrix is singular: there the coordinates do not tell the motion of the masses");
-  Answer out;
   const SmallVector right_side = (drive - e.coriolis - e.gravity).cwiseQuotient(scale);
-  out.acceleration = SmallVector(factor.solve(right_side)).cwiseQuotient(scale);
+  const std::optional<SmallVector> solved = linear::solution_of_positive_definite(scaled, right_side, no_inertia);
+  if (!solved) throw NoMotion(Outcome::failed, "the mass matrix is singular: there the coordinates do not tell the motion of the masses");
+  Answer out;
+  out.acceleration = solved->cwiseQuotient(scale);
   out.power = drive.dot(rate);
-  if (!out.acceleration.allFinite()) throw NoMotion(ForwardEnd::failed, "the accelerations are beyond the range of numbers");
+  if (!out.acceleration.allFinite()) throw NoMotion(Outcome::failed, "the accelerations are beyond the range of numbers");
   return out;
 }
 

@@ -1,7 +1,8 @@
 // A mechanism under given forces, at one instant: how it accelerates.
 #pragma once
 
-#include <core/mechanics/forward_dynamics/forward_dynamics.hpp>
+#include <core/mechanics/forward_dynamics/forward_problem.hpp>
+#include <core/mechanics/model/outcome.hpp>
 
 #include <stdexcept>
 
@@ -9,8 +10,8 @@ namespace pmreport::mechanics {
 
 // Why there is no acceleration: an obstacle to the motion, not an error of the program.
 struct NoMotion : std::runtime_error {
-  NoMotion(ForwardEnd end, const std::string& why) : std::runtime_error(why), end(end) {}
-  ForwardEnd end;  // unreachable, or failed
+  NoMotion(Outcome outcome, const std::string& why) : std::runtime_error(why), outcome(outcome) {}
+  Outcome outcome;  // unreachable, or failed
 };
 
 // Keeps its buffers: make one a thread.

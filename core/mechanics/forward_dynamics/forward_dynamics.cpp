@@ -1,8 +1,10 @@
 #include <core/mechanics/forward_dynamics/forward_dynamics.hpp>
 
+#include <core/assertion.hpp>
 #include <core/mechanics/forward_dynamics/forced_motion.hpp>
 #include <core/mechanics/forward_dynamics/motion_bounds.hpp>
 #include <core/mechanics/forward_dynamics/motion_track.hpp>
+#include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 
 #include <fmt/format.h>
@@ -49,7 +51,7 @@ class Integration {
   std::optional<Eigen::VectorXd> margins(const Step& step, double t) const;
   void account();
   void sample(const Step& step);
-  void stop(ForwardEnd end, double t, const std::string& how);
+  void stop(Outcome outcome, double t, const std::string& how);
   void out_of_reach(double t, const std::string& why);
 
   const Machine& machine_;
@@ -91,7 +93,7 @@ Integration::Integration(const Machine& machine, const ForwardProblem& problem)
       next_(first_step * span_),
       time_looked_back_(begin_) {
   const double length = characteristic_length(machine);
-  for (Eigen::Index i = 0; i < dof_; ++i) unit_(i) = machine.topology().coordinates[static_cast<std::size_t>(i)].unit == "m" ? length : 1.0;
+  for (Eigen::Index i = 0; i < dof_; ++i) unit_(i) = size_of(machine.topology().coordinates[static_cast<std::size_t>(i)].sense(), length);
 }
 
 Numbers Integration::derivative(const Numbers& x, double t) {
@@ -135,9 +137,9 @@ ForwardMotion Integration::run() {
   track_->add(point(now_, slope_, begin_));
   out_.ended = begin_;
   sample({track_->at(begin_), track_->at(begin_), begin_});
-  while (out_.end == ForwardEnd::none && time_ < problem_.times.back())
+  while (out_.outcome == Outcome::good && time_ < problem_.times.back())
     if (!advance()) break;
-  if (out_.end == ForwardEnd::none) out_.ended = problem_.times.back();
+  if (out_.outcome == Outcome::good) out_.ended = problem_.times.back();
 
   out_.evaluations = forced_.evaluations();
   out_.drift_share = largest_energy_ > 0 ? out_.drift / largest_energy_ : 0;
@@ -166,12 +168,12 @@ bool Integration::advance() {
   const auto system = [this](const Numbers& x, Numbers& slope, double t) { slope = derivative(x, t); };
   for (;;) {
     if (forced_.evaluations() >= problem_.evaluations) {
-      stop(ForwardEnd::failed, time_, fmt::format("{} evaluations of the equations of motion lead no farther", problem_.evaluations));
+      stop(Outcome::failed, time_, fmt::format("{} evaluations of the equations of motion lead no farther", problem_.evaluations));
       return false;
     }
     if (forced_.evaluations() >= look_back_) {
       if (time_ - time_looked_back_ < least_progress * span_) {
-        stop(ForwardEnd::failed, time_, "forces jump to and fro there, or grow without bound");
+        stop(Outcome::failed, time_, "forces jump to and fro there, or grow without bound");
         return false;
       }
       look_back_ += patience, time_looked_back_ = time_;
@@ -192,7 +194,7 @@ bool Integration::advance() {
     } catch (const NoMotion& e) {
       next_ = 0.25 * step;
       if (next_ > shortest) continue;
-      e.end == ForwardEnd::unreachable ? out_of_reach(time_, e.what()) : stop(e.end, time_, e.what());
+      e.outcome == Outcome::unreachable ? out_of_reach(time_, e.what()) : stop(e.outcome, time_, e.what());
       return false;
     }
     finish(step == last - time_ ? last : t);
@@ -208,7 +210,7 @@ void Integration::finish(double reached) {
   std::swap(now_, then_), std::swap(slope_, slope_then_);
   time_ = reached;
   ++out_.steps;
-  if (out_.end == ForwardEnd::none) account();
+  if (out_.outcome == Outcome::good) account();
 }
 
 std::optional<Eigen::VectorXd> Integration::margins(const Step& step, double t) const {
@@ -246,11 +248,11 @@ void Integration::bound(Step& step) {
   margins_ = *end;
   if (bound < 0) return;
   step.end = first;
-  if (bounds_.end(bound) == ForwardEnd::singular) {
-    stop(ForwardEnd::singular, first, "");
+  if (bounds_.outcome(bound) == Outcome::singular) {
+    stop(Outcome::singular, first, "");
     out_.ending = fmt::format("meets a singular surface at t = {:.6g} s: there the actuators do not hold the platform", first);
   } else {
-    stop(ForwardEnd::limit, first, bounds_.subject(bound) + " reaches " + bounds_.edge(bound));
+    stop(Outcome::at_limit, first, bounds_.subject(bound) + " reaches " + bounds_.edge(bound));
   }
 }
 
@@ -266,7 +268,7 @@ double Integration::crossing(const Step& step, Eigen::Index bound, double outsid
   return inside;
 }
 
-// What the integration has lost or gained until here. Potential energy counts from that of the start: where it is zero says nothing.
+// (3): what the integration has lost or gained until here. Potential energy counts from that of the start: where it is zero says nothing.
 void Integration::account() {
   const TrackPoint here = point(now_, slope_, time_);
   const ForcedMotion::Energy energy = forced_.energy(here.value, here.rate);
@@ -289,7 +291,7 @@ void Integration::sample(const Step& step) {
     try {
       out_.acceleration.row(row) = sampling_.at(t, p.value, p.rate).acceleration;
     } catch (const NoMotion& e) {  // between two points that have accelerations
-      stop(e.end, std::max(step.from.time, problem_.times[sampled_ - 1]), e.what());
+      stop(e.outcome, std::max(step.from.time, problem_.times[sampled_ - 1]), e.what());
       return;
     }
     out_.value.row(row) = p.value;
@@ -299,20 +301,25 @@ void Integration::sample(const Step& step) {
   }
 }
 
-void Integration::stop(ForwardEnd end, double t, const std::string& how) {
-  out_.end = end;
+void Integration::stop(Outcome outcome, double t, const std::string& how) {
+  out_.outcome = outcome;
   out_.ended = t;
   out_.ending = fmt::format("ends at t = {:.6g} s: {}", t, how);
 }
 
 void Integration::out_of_reach(double t, const std::string& why) {
-  stop(ForwardEnd::unreachable, t, why);
+  stop(Outcome::unreachable, t, why);
   out_.ending = fmt::format("runs out of reach at t = {:.6g} s: beyond it the mechanism cannot be assembled{}", t,
                             why.empty() ? "" : " (" + why + ")");
 }
 
 }  // namespace
 
-ForwardMotion forward_dynamics(const Machine& machine, const ForwardProblem& problem) { return Integration(machine, problem).run(); }
+ForwardMotion forward_dynamics(const Machine& machine, const ForwardProblem& problem) {
+  PMREPORT_ASSERT(problem.start.size() == machine.dof() && problem.start_rate.size() == machine.dof(),
+                  "the start has dof coordinates and rates");
+  PMREPORT_ASSERT(!problem.times.empty() && problem.actuator_forces, "there are times, and forces");
+  return Integration(machine, problem).run();
+}
 
 }  // namespace pmreport::mechanics

@@ -1,34 +1,19 @@
 // Motion from forces: the independent coordinates integrated under given actuator forces.
 //
-//     M q'' = J^T tau + K^T load - c - g          (virtual_work.hpp)
+//     M q'' = J^T tau + K^T load - c - g                              (1), by virtual_work.hpp
+//     W' = (J^T tau + K^T load) . q'                                  (2), the power of actuators and load
+//     T + U - W = T + U at the start                                  (3), what the integration must keep
+// Numbers are integrated in sizes: q_i = s_i x_i with s_i a characteristic length or a radian, W in joules of the mechanism moving at s.
 #pragma once
 
-#include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/forward_dynamics/forward_problem.hpp>
+#include <core/mechanics/model/outcome.hpp>
 
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace pmreport::mechanics {
-
-struct ForwardProblem {
-  // Forces of the actuators [N], [N m] at a time, given their values and rates, push positive; dof long.
-  std::function<void(double t, const std::vector<Scalar>& actuators, double* forces)> actuator_forces;
-  std::function<Vector6d(double t)> load;  // on the platform, as in Loading; none: no load
-  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
-  Eigen::VectorXd start, start_rate;    // dof long
-  std::vector<double> times;            // at which the motion is wanted, rising; the first is the start
-  double tolerance = 1e-10;             // of a step, relative; absolute a hundredth of it, lengths per characteristic length
-  std::size_t evaluations = 1'000'000;  // of the equations of motion by the steps, at most
-};
-
-enum class ForwardEnd {
-  none,         // it lasts to the last time
-  limit,        // an actuator at the end of its stroke, or a joint at its limit
-  singular,     // det G has fallen to nothing against that at home: the actuators no longer hold the platform
-  unreachable,  // the edge of what can be assembled
-  failed        // forces without a value, inertia that vanishes, or a motion too fast to be followed
-};
 
 struct ForwardMotion {
   // One row a time, one column a coordinate; NaN beyond the end. The accelerations are those of the equations of motion at value and rate.
@@ -41,8 +26,8 @@ struct ForwardMotion {
   // The largest |energy - energy at the start - work| of all steps [J], and its share of the largest of what flowed and what is stored.
   double drift = 0, drift_share = 0;
   std::size_t steps = 0, evaluations = 0;
-  ForwardEnd end = ForwardEnd::none;
-  double ended = 0;    // [s]: the last time with a pose
+  Outcome outcome = Outcome::good;  // why it ends; good: it lasts to the last time
+  double ended = 0;                 // [s]: the last time with a pose
   std::string ending;  // why it ends before the last time, "ends at t = 0.3141 s: rho3 (length of leg 3) reaches ..."; empty: it does not
 };
 

@@ -1,8 +1,10 @@
 #include <core/mechanics/forward_dynamics/motion_bounds.hpp>
 
+#include <core/linear/square.hpp>
+#include <core/linear/tolerance.hpp>
+
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,10 +14,9 @@ namespace pmreport::mechanics {
 namespace {
 
 constexpr double met_exactly = 1e-12;  // of a limit, or of one metre or radian: rounding
-constexpr double vanished = 1e-9;      // of det G at home: what is left of it on the singular surface
 
-std::string shown(double value, const std::string& unit) {
-  if (unit == "m") return fmt::format("{:.6g} mm", 1e3 * value);
+std::string shown(double value, Sense sense) {
+  if (sense == Sense::linear) return fmt::format("{:.6g} mm", 1e3 * value);
   return fmt::format("{:.6g}°", value * 180 / std::numbers::pi);
 }
 
@@ -48,7 +49,7 @@ MotionBounds::MotionBounds(const Machine& machine)
 double MotionBounds::determinant(const Pose& pose) const {
   double g[36];
   if (machine_.jacobian(PM_VALUE, 1, pose.numbers.data(), g) != PM_OK) return 0;  // it has no value on some singular surfaces
-  return Eigen::Map<const Matrix6d>(g).determinant();                             // of the transpose, which has the same
+  return linear::determinant(Eigen::Map<const Matrix6d>(g));                      // of the transpose, which has the same
 }
 
 std::optional<Eigen::VectorXd> MotionBounds::margins(const SmallVector& q) const {
@@ -63,7 +64,7 @@ std::optional<Eigen::VectorXd> MotionBounds::margins(const SmallVector& q) const
     const Bound& b = bounds_[i];
     double& margin = out(static_cast<Eigen::Index>(i));
     if (b.actuator < 0 && b.joint < 0) {
-      margin = determinant(pose) / determinant_ - vanished;
+      margin = determinant(pose) / determinant_ - linear::vanished_determinant;
       continue;
     }
     if (b.joint >= 0 && b.joint != joint) motion = closure_.motion(bodies, joint = b.joint);
@@ -82,19 +83,18 @@ void MotionBounds::begin(const SmallVector& q) {
   const Eigen::VectorXd here = *margins(q);
   Eigen::Index worst = 0;
   if (here.minCoeff(&worst) >= 0) return;
-  if (end(worst) == ForwardEnd::singular)
+  if (outcome(worst) == Outcome::singular)
     throw MechanismError(PM_BAD_ARGUMENT, "the pose is singular: the actuators do not hold the platform");
   throw MechanismError(PM_BAD_ARGUMENT,
-                       fmt::format("{} is {} beyond {}", subject(worst), shown(-here(worst), unit(at(worst))), edge(worst)));
+                       fmt::format("{} is {} beyond {}", subject(worst), shown(-here(worst), sense(at(worst))), edge(worst)));
 }
 
-ForwardEnd MotionBounds::end(Eigen::Index bound) const {
-  return at(bound).actuator < 0 && at(bound).joint < 0 ? ForwardEnd::singular : ForwardEnd::limit;
+Outcome MotionBounds::outcome(Eigen::Index bound) const {
+  return at(bound).actuator < 0 && at(bound).joint < 0 ? Outcome::singular : Outcome::at_limit;
 }
 
-const std::string& MotionBounds::unit(const Bound& b) const {
-  static const std::string angle = "rad";
-  return b.actuator >= 0 ? machine_.topology().actuators[static_cast<std::size_t>(b.actuator)].unit : angle;
+Sense MotionBounds::sense(const Bound& b) const {
+  return b.actuator >= 0 ? machine_.topology().actuators[static_cast<std::size_t>(b.actuator)].sense() : Sense::rotary;
 }
 
 std::string MotionBounds::subject(Eigen::Index bound) const {
@@ -106,7 +106,7 @@ std::string MotionBounds::subject(Eigen::Index bound) const {
 
 std::string MotionBounds::edge(Eigen::Index bound) const {
   const Bound& b = at(bound);
-  const std::string limit = shown(b.limit, unit(b));
+  const std::string limit = shown(b.limit, sense(b));
   if (b.actuator >= 0) return fmt::format("the {} end of its stroke, {}", b.upper ? "upper" : "lower", limit);
   const bool two_axes = machine_.topology().joints[static_cast<std::size_t>(b.joint)].limits.size() > 1;
   return fmt::format("its limit{}, {}", !two_axes ? "" : b.part == 0 ? " about its first axis" : " about its second axis", limit);

@@ -1,8 +1,8 @@
 // What a motion must keep within: strokes, joint limits, and the side of the singular surface on which it began.
 #pragma once
 
-#include <core/mechanics/forward_dynamics/forward_dynamics.hpp>
 #include <core/mechanics/model/closure.hpp>
+#include <core/mechanics/model/outcome.hpp>
 
 #include <optional>
 
@@ -19,7 +19,7 @@ class MotionBounds {
   // The motion begins at `q`. Throws MechanismError when that is no place to begin.
   void begin(const SmallVector& q);
 
-  ForwardEnd end(Eigen::Index bound) const;
+  Outcome outcome(Eigen::Index bound) const;  // of a motion that meets it: at_limit, or singular
   // What has the bound, "rho3 (length of leg 3)", and what bounds it, "the upper end of its stroke, 1410 mm"; of strokes and joints alone.
   std::string subject(Eigen::Index bound) const;
   std::string edge(Eigen::Index bound) const;
@@ -32,7 +32,7 @@ class MotionBounds {
     double limit = 0;  // [m] or [rad]
   };
   const Bound& at(Eigen::Index bound) const { return bounds_[static_cast<std::size_t>(bound)]; }
-  const std::string& unit(const Bound& b) const;
+  Sense sense(const Bound& b) const;
   double determinant(const Pose& pose) const;
 
   const Machine& machine_;

@@ -1,7 +1,7 @@
 // The steps of an integrated motion, and the motion between them.
 #pragma once
 
-#include <core/mechanics/displacement/displacement.hpp>
+#include <core/mechanics/model/state.hpp>
 
 #include <vector>
 

@@ -1,7 +1,10 @@
 #include <core/mechanics/mobility/mobility.hpp>
 
+#include <core/assertion.hpp>
+#include <core/linear/subspace.hpp>
+#include <core/mechanics/model/constraint_scale.hpp>
+
 #include <algorithm>
-#include <random>
 #include <set>
 
 namespace pmreport::mechanics {
@@ -13,18 +16,17 @@ namespace {
 
 Eigen::Index column_of(int body) { return 6 * (static_cast<Eigen::Index>(body) - 1); }
 
-// Rows of PHI restricted to `rows` and the bodies `bodies` (none of them the base), rotations per length, rows normalised: what is left of
-// the motion of the platform, `bodies[0]`, when these constraints hold.
+// What is left of the motion of the platform, `bodies[0]`, when the constraints `rows` of PHI hold between the bodies `bodies`, none of
+// them the base.
 MatrixXd platform_twists(const GenericModel& model, const std::vector<Eigen::Index>& rows, const std::vector<int>& bodies, double length) {
   MatrixXd phi(static_cast<Eigen::Index>(rows.size()), 6 * static_cast<Eigen::Index>(bodies.size()));
   for (std::size_t r = 0; r < rows.size(); ++r)
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-      auto cell = phi.block<1, 6>(static_cast<Eigen::Index>(r), 6 * static_cast<Eigen::Index>(b));
-      cell = model.constraints.block<1, 6>(rows[r], column_of(bodies[b]));
-      cell.tail<3>() /= length;
+      const auto cell = model.constraints.block<1, 6>(rows[r], column_of(bodies[b]));
+      phi.block<1, 6>(static_cast<Eigen::Index>(r), 6 * static_cast<Eigen::Index>(b)) = cell;
     }
-  phi.rowwise().normalize();
-  MatrixXd twists = column_space(null_space(phi).topRows(6), 1);
+  phi = unit_rows(std::move(phi), length);
+  MatrixXd twists = linear::column_space(linear::null_space(phi).topRows(6), 1);
   twists.bottomRows(3) /= length;
   return twists;
 }
@@ -51,6 +53,7 @@ std::set<int> connected(const Topology& t, const std::set<int>& set, int from, i
 }  // namespace
 
 PlatformFreedoms platform_freedoms(const Machine& machine, const State& state, const GenericModel& model) {
+  PMREPORT_ASSERT(state.status == PM_OK, "the state is that of an assembled pose");
   const int platform = machine.topology().platform;
   const double length = characteristic_length(machine);
   std::vector<Eigen::Index> rows(static_cast<std::size_t>(model.constraints.rows()));
@@ -62,7 +65,7 @@ PlatformFreedoms platform_freedoms(const Machine& machine, const State& state, c
   f.twists = {state.bodies[static_cast<std::size_t>(platform)].origin, platform_twists(model, rows, in_front(platform, all), length)};
   f.constraints = reciprocal(f.twists, length);
   const MatrixXd turning = f.twists.basis.bottomRows(3) * length;  // orthonormal columns have this part
-  f.translations = aligned((f.twists.basis * null_space(turning, 1)).topRows(3));
+  f.translations = aligned((f.twists.basis * linear::null_space(turning, 1)).topRows(3));
   f.rotations = aligned(turning);
   return f;
 }
@@ -112,32 +115,6 @@ std::vector<Landmark> landmarks_of(const Topology& topology, const State& state,
   for (const int j : joints)
     if (topology.joints[static_cast<std::size_t>(j)].kind != JointKind::prismatic)
       out.push_back({j, state.joints[static_cast<std::size_t>(j)].centre});
-  return out;
-}
-
-State state_at_rest(const Machine& machine, const Eigen::VectorXd& coordinates) {
-  const Eigen::VectorXd still = Eigen::VectorXd::Zero(machine.dof());
-  State s;
-  evaluate(machine, coordinates.data(), still.data(), still.data(), s);
-  return s;
-}
-
-std::vector<Eigen::VectorXd> random_poses(const Machine& machine, int count, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  const auto& coordinates = machine.topology().coordinates;
-  std::vector<double> placement(machine.layout().size());
-  std::vector<Eigen::VectorXd> out;
-  constexpr int tries = 1000;
-  for (int k = 0; k < tries * count && static_cast<int>(out.size()) < count; ++k) {
-    Eigen::VectorXd q(machine.dof());
-    for (int i = 0; i < q.size(); ++i) {
-      // 53 random bits; the standard library's distributions differ from one implementation to another.
-      const double share = static_cast<double>(random() >> 11) * 0x1p-53;
-      const Range& box = coordinates[static_cast<std::size_t>(i)].box;
-      q(i) = box.min + share * (box.max - box.min);
-    }
-    if (machine.place(PM_VALUE, 1, q.data(), placement.data()) == PM_OK) out.push_back(q);
-  }
   return out;
 }
 

@@ -5,7 +5,6 @@
 #include <core/mechanics/mobility/wrench_system.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 
-#include <cstdint>
 #include <vector>
 
 namespace pmreport::mechanics {
@@ -17,6 +16,7 @@ struct PlatformFreedoms {
   Eigen::MatrixXd rotations;        // 3 x r: directions about which it can turn, with or without a translation, `aligned`
   int freedoms() const { return twists.dimension(); }
 };
+// `state.status` is PM_OK; `model` is its generic model, here and below.
 PlatformFreedoms platform_freedoms(const Machine& machine, const State& state, const GenericModel& model);
 
 // One limb between base and platform, the other limbs taken away. Bodies of no limb that it stands on belong to it.
@@ -43,12 +43,5 @@ std::vector<SelfStress> self_stresses(const Machine& machine, const State& state
 
 // Centres of joints, as landmarks of `readable_basis`; the centre of a prismatic joint is any point of its travel, and none of these.
 std::vector<Landmark> landmarks_of(const Topology& topology, const State& state, const std::vector<int>& joints);
-
-// Random poses in the box of the coordinates that can be assembled, equally likely everywhere. The same for the same seed on every machine.
-// Fewer than asked when the box is mostly out of reach (a thousand tries a pose at most).
-std::vector<Eigen::VectorXd> random_poses(const Machine& machine, int count, std::uint64_t seed);
-
-// The state at rest. Its status is PM_OK or the pose cannot be assembled.
-State state_at_rest(const Machine& machine, const Eigen::VectorXd& coordinates);
 
 }  // namespace pmreport::mechanics

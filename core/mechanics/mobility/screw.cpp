@@ -1,7 +1,8 @@
 #include <core/mechanics/mobility/screw.hpp>
 
+#include <core/linear/subspace.hpp>
+
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,25 +23,13 @@ Vector3d upward(const Vector3d& d) {
   return d;
 }
 
-// `along` has the direction of the axis, `about` is what it adds at the origin: force and moment, or angular velocity and velocity. With
-// about = (point - origin) x along + pitch along, crossing with `along` gives the point, the product with it the pitch.
+// (1) and (2): `along` is f or w, `about` is m or v.
 Screw screw_of(const Vector3d& along, const Vector3d& about, const Vector3d& origin, double length) {
   const double axial = along.norm() * length, polar = about.norm();
   if (axial <= negligible * polar) return {origin, upward(about.normalized()), std::numeric_limits<double>::infinity()};
   Screw s{origin + along.cross(about) / along.squaredNorm(), upward(along.normalized()), along.dot(about) / along.squaredNorm()};
   if (std::abs(s.pitch) <= negligible * (length + polar / along.norm())) s.pitch = 0;
   return s;
-}
-
-struct Factors {
-  Eigen::ColPivHouseholderQR<MatrixXd> qr;
-  Eigen::Index rank = 0;
-};
-Factors factorised(const MatrixXd& m, double size) {
-  Factors f{Eigen::ColPivHouseholderQR<MatrixXd>(m)};
-  const double least = rank_tolerance * std::max(size, f.qr.maxPivot());
-  for (Eigen::Index k = 0; k < std::min(m.rows(), m.cols()); ++k) f.rank += std::abs(f.qr.matrixQR()(k, k)) > least ? 1 : 0;
-  return f;
 }
 
 }  // namespace
@@ -60,24 +49,9 @@ Screw screw_of_twist(const Vector6d& twist, const Vector3d& origin, double lengt
   return screw_of(twist.tail<3>(), twist.head<3>(), origin, length);
 }
 
-int rank(const MatrixXd& m, double size) { return m.size() == 0 ? 0 : static_cast<int>(factorised(m, size).rank); }
-
-MatrixXd null_space(const MatrixXd& m, double size) {
-  const Eigen::Index n = m.cols();
-  if (m.rows() == 0 || n == 0) return MatrixXd::Identity(n, n);
-  const Factors f = factorised(m.transpose(), size);
-  return MatrixXd(f.qr.householderQ() * MatrixXd::Identity(n, n)).rightCols(n - f.rank);
-}
-
-MatrixXd column_space(const MatrixXd& m, double size) {
-  if (m.size() == 0) return MatrixXd(m.rows(), 0);
-  const Factors f = factorised(m, size);
-  return MatrixXd(f.qr.householderQ() * MatrixXd::Identity(m.rows(), m.rows())).leftCols(f.rank);
-}
-
 // Gauss-Jordan with the pivots in the order x y z makes the rows sparse; Gram-Schmidt then keeps base axes that are among them.
 MatrixXd aligned(const MatrixXd& directions) {
-  MatrixXd rows = column_space(directions, 1).transpose();
+  MatrixXd rows = linear::column_space(directions, 1).transpose();
   Eigen::Index next = 0;
   for (Eigen::Index c = 0; c < 3 && next < rows.rows(); ++c) {
     Eigen::Index pivot;

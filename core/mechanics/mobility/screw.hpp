@@ -1,11 +1,17 @@
 // Screws: a twist or a wrench as an axis in space with a pitch.
 #pragma once
 
-#include <Eigen/Core>
-#include <core/mechanics/model/state.hpp>
-#include <vector>
+#include <core/linear/types.hpp>
 
 namespace pmreport::mechanics {
+
+using linear::Vector6d;
+
+// A wrench (f; m), m about O, is a force along a line through A and a couple about it, h the couple per force,
+//     m = p_OA x f + h f,   hence with A nearest to O   p_OA = f x m / f^2,   h = f . m / f^2              (1)
+// as f x (p_OA x f) = f^2 p_OA where p_OA is across f. Of a twist (v; w), v the velocity of O, the same holds with w for f and v for m,
+//     v = p_OA x w + h w                                                                                 (2)
+// for a turn about a line through A moves O by w x p_AO = p_OA x w.
 
 // A line with a pitch: of a wrench the couple per unit of force along it, of a twist the translation along it per radian about it.
 struct Screw {
@@ -21,19 +27,12 @@ struct Screw {
   bool same_axis(const Eigen::Vector3d& p, const Eigen::Vector3d& unit_direction, double length) const;
 };
 
-// Of the wrench (force; moment about `origin`): axis along f through origin + f x m / f^2, pitch f.m / f^2. Of magnitudes that differ by
-// less than 1e-9, moments taken per `length` [m], the smaller counts as zero.
+// By (1), of the wrench (force; moment about `origin`) [N], [N m]. Of force, and moment per `length` [m], the one that is less than 1e-9 of
+// the other counts as zero: a couple, or a pure force.
 Screw screw_of_wrench(const Vector6d& wrench, const Eigen::Vector3d& origin, double length);
 
-// Of the twist (velocity of `origin`; angular velocity): axis along w through origin + w x v / w^2, pitch w.v / w^2.
+// By (2), of the twist (velocity of `origin`; angular velocity), likewise.
 Screw screw_of_twist(const Vector6d& twist, const Eigen::Vector3d& origin, double length);
-
-// Linear subspaces, each by the orthonormal columns of a matrix. A pivot counts as zero below `rank_tolerance` of the largest one, or of
-// `size`: what a pivot of such a matrix is when it is not rounding. Parts of orthonormal columns have size 1, and may be zero altogether.
-constexpr double rank_tolerance = 1e-9;  // far above rounding (1e-15), far below what tells a regular pose from a singular one
-int rank(const Eigen::MatrixXd& m, double size = 0);
-Eigen::MatrixXd null_space(const Eigen::MatrixXd& m, double size = 0);    // x with m x = 0
-Eigen::MatrixXd column_space(const Eigen::MatrixXd& m, double size = 0);  // all m x
 
 // Directions (unit vectors, or parts of such) that span the same plane, or line, or space, as few of their components filled as possible:
 // base axes where they lie in it. 3 x d in and out; orthonormal, deterministic.

@@ -1,9 +1,12 @@
 // Redundant constraints as self-stresses: combinations of joint reactions that leave every body in equilibrium without a load,
 // PHI^T lambda = 0, the left null space of PHI. Any basis of it would do; one that an engineer reads has few joints in each, and at its
 // first joint a plain couple or force.
+#include <core/linear/least_norm.hpp>
+#include <core/linear/subspace.hpp>
 #include <core/mechanics/mobility/mobility.hpp>
+#include <core/mechanics/model/constraint_scale.hpp>
 
-#include <Eigen/QR>
+#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace pmreport::mechanics {
@@ -15,7 +18,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double carried = 1e-8;  // of the largest share: below it a joint takes no part
+using linear::least_part;
 
 class Stresses {
  public:
@@ -23,11 +26,10 @@ class Stresses {
       : topology_(machine.topology()), state_(state), model_(model), length_(characteristic_length(machine)) {}
 
   std::vector<SelfStress> all() {
-    MatrixXd phi = model_.constraints;
-    for (Index c = 0; c < phi.cols(); c += 6) phi.middleCols(c + 3, 3) /= length_;
+    MatrixXd phi = per_length(model_.constraints, length_);
     const VectorXd scale = phi.rowwise().norm();
     phi = scale.cwiseInverse().asDiagonal() * phi;
-    const MatrixXd null = scale.cwiseInverse().asDiagonal() * null_space(phi.transpose());
+    const MatrixXd null = scale.cwiseInverse().asDiagonal() * linear::null_space(phi.transpose());
     for (const MatrixXd& block : blocks(null)) refine(block);
     return std::move(out_);
   }
@@ -39,7 +41,7 @@ class Stresses {
     Index next = 0;
     for (Index c = 0; c < rows.cols() && next < rows.rows(); ++c) {
       Index pivot;
-      if (rows.col(c).tail(rows.rows() - next).cwiseAbs().maxCoeff(&pivot) < carried) continue;
+      if (rows.col(c).tail(rows.rows() - next).cwiseAbs().maxCoeff(&pivot) < least_part) continue;
       rows.row(next).swap(rows.row(next + pivot));
       rows.row(next) /= rows(next, c);
       for (Index r = 0; r < rows.rows(); ++r)
@@ -70,7 +72,7 @@ class Stresses {
     const auto joints = [&](const VectorXd& v) {
       std::vector<bool> in(topology_.joints.size());
       for (Index r = 0; r < v.size(); ++r)
-        if (std::abs(v(r)) > carried) in[static_cast<std::size_t>(model_.joint_of_row[static_cast<std::size_t>(r)])] = true;
+        if (std::abs(v(r)) > least_part) in[static_cast<std::size_t>(model_.joint_of_row[static_cast<std::size_t>(r)])] = true;
       return in;
     };
     const std::vector<bool> a = joints(x), b = joints(y);
@@ -105,20 +107,19 @@ class Stresses {
     for (int j = 0; j < static_cast<int>(topology_.joints.size()); ++j) {
       MatrixXd w = at_joint(j, block);
       w.bottomRows(3) /= length_;
-      if (w.cwiseAbs().maxCoeff() < carried) continue;
+      if (w.cwiseAbs().maxCoeff() < least_part) continue;
       taking_part.push_back(j);
-      if (const int r = rank(w); r > most) most = r, best = j, best_wrenches = w;
+      if (const int r = linear::rank(w); r > most) most = r, best = j, best_wrenches = w;
     }
     if (best < 0) return;
-    MatrixXd basis = column_space(best_wrenches);
+    MatrixXd basis = linear::column_space(best_wrenches);
     basis.bottomRows(3) *= length_;
     for (const NamedWrench& w : readable_basis({Vector3d::Zero(), basis}, landmarks_of(topology_, state_, taking_part), length_)) {
       Vector6d wanted = w.wrench;
       wanted.tail<3>() /= length_;
-      const Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver(best_wrenches);
-      add(block * solver.solve(wanted), w, best);
+      add(block * linear::least_norm_solution(best_wrenches, wanted), w, best);
     }
-    refine(block * null_space(best_wrenches));
+    refine(block * linear::null_space(best_wrenches));
   }
 
   void add(const VectorXd& reactions, const NamedWrench& first, int speaker) {

@@ -1,6 +1,8 @@
 #include <core/mechanics/mobility/wrench_system.hpp>
 
-#include <Eigen/Eigenvalues>
+#include <core/linear/eigenvalues.hpp>
+#include <core/linear/subspace.hpp>
+
 #include <Eigen/Geometry>
 
 namespace pmreport::mechanics {
@@ -32,22 +34,22 @@ Eigen::Matrix3d skew(const Vector3d& r) {
 class Basis {
  public:
   Basis(const ScrewSystem& wrenches, double length)
-      : origin_(wrenches.origin), length_(length), all_(column_space(scaled_wrenches(wrenches.basis, length))) {}
+      : origin_(wrenches.origin), length_(length), all_(linear::column_space(scaled_wrenches(wrenches.basis, length))) {}
 
   void add_couples() {
-    const MatrixXd moments = (all_ * null_space(all_.topRows(3), 1)).bottomRows(3);
+    const MatrixXd moments = (all_ * linear::null_space(all_.topRows(3), 1)).bottomRows(3);
     const MatrixXd axes = aligned(moments);
     for (Eigen::Index k = 0; k < axes.cols(); ++k) add((Vector6d() << Vector3d::Zero(), axes.col(k)).finished(), -1);
   }
   // Forces f with moment r x f about the origin: their moment about the landmark itself is zero.
   MatrixXd forces_through(const Landmark& mark) const {
     const MatrixXd about_mark = all_.bottomRows(3) - skew((mark.at - origin_) / length_) * all_.topRows(3);
-    return all_ * null_space(about_mark, 1);
+    return all_ * linear::null_space(about_mark, 1);
   }
   int gain(const MatrixXd& more) const {
     MatrixXd both(6, chosen_.cols() + more.cols());
     both << chosen_, more;
-    return more.cols() == 0 ? 0 : rank(both, 1) - static_cast<int>(chosen_.cols());
+    return more.cols() == 0 ? 0 : linear::rank(both, 1) - static_cast<int>(chosen_.cols());
   }
   void add_forces(const Landmark& mark) {
     const MatrixXd axes = aligned(forces_through(mark).topRows(3));
@@ -58,11 +60,11 @@ class Basis {
   }
   // Of the wrenches x without a couple, pitch is x'Px / x'Ax with A = F'F and P the symmetric part of F'M: its stationary values.
   void add_principal_screws() {
-    const MatrixXd rest = all_ * null_space(chosen_.transpose() * all_, 1);
+    const MatrixXd rest = all_ * linear::null_space(chosen_.transpose() * all_, 1);
     if (rest.cols() == 0) return;
     const MatrixXd f = rest.topRows(3), m = rest.bottomRows(3), mixed = f.transpose() * m;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(MatrixXd(mixed + mixed.transpose()) / 2, MatrixXd(f.transpose() * f));
-    for (Eigen::Index k = 0; k < rest.cols(); ++k) add(rest * eigen.eigenvectors().col(k), -1);
+    const MatrixXd x = linear::stationary_vectors(MatrixXd(mixed + mixed.transpose()) / 2, f.transpose() * f);
+    for (Eigen::Index k = 0; k < rest.cols(); ++k) add(rest * x.col(k), -1);
   }
   bool complete() const { return chosen_.cols() == all_.cols(); }
   std::vector<NamedWrench> take() { return std::move(named_); }
@@ -70,7 +72,7 @@ class Basis {
  private:
   void add(Vector6d w, int joint) {
     if (gain(w) == 0) return;
-    w /= w.head<3>().norm() > rank_tolerance * w.norm() ? w.head<3>().norm() : w.norm();
+    w /= w.head<3>().norm() > linear::rank_tolerance * w.norm() ? w.head<3>().norm() : w.norm();
     chosen_.conservativeResize(6, chosen_.cols() + 1);
     chosen_.rightCols(1) = w;
     Vector6d physical = w;
@@ -87,7 +89,7 @@ class Basis {
 }  // namespace
 
 ScrewSystem reciprocal(const ScrewSystem& system, double length) {
-  MatrixXd w = null_space(scaled_twists(system.basis, length).transpose());
+  MatrixXd w = linear::null_space(scaled_twists(system.basis, length).transpose());
   w.bottomRows(3) *= length;
   return {system.origin, w};
 }
@@ -111,7 +113,7 @@ std::vector<NamedWrench> readable_basis(const ScrewSystem& wrenches, const std::
 double outside(const ScrewSystem& a, const ScrewSystem& b, double length) {
   if (a.dimension() == 0) return 0;
   MatrixXd x = scaled_wrenches(a.basis, length);
-  const MatrixXd space = column_space(scaled_wrenches(b.basis, length));
+  const MatrixXd space = linear::column_space(scaled_wrenches(b.basis, length));
   x.colwise().normalize();
   return (x - space * (space.transpose() * x)).colwise().norm().maxCoeff();
 }

@@ -4,6 +4,8 @@
 
 #include <core/mechanics/mobility/screw.hpp>
 
+#include <vector>
+
 namespace pmreport::mechanics {
 
 // A space of wrenches or of twists about one point, both as (linear; angular) = (force; moment) = (velocity; angular velocity), so that the

@@ -1,12 +1,16 @@
 #include <core/mechanics/model/closed_form.hpp>
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
+#include <core/assertion.hpp>
+#include <core/linear/singular_values.hpp>
+#include <core/linear/square.hpp>
+
 #include <limits>
 
 namespace pmreport::mechanics {
 
 ClosedForm closed_form(const Machine& machine, const State& state, double length) {
+  PMREPORT_ASSERT(state.status == PM_OK, "the state is that of an assembled pose");
+  PMREPORT_ASSERT(length > 0, "the characteristic length is positive");
   double jets[108];
   machine.jacobian(PM_JET, 1, state.placement_jets.data(), jets);
   ClosedForm c;
@@ -14,7 +18,7 @@ ClosedForm closed_form(const Machine& machine, const State& state, double length
     c.jacobian(e / 6, e % 6) = jets[3 * e];
     c.jacobian_rate(e / 6, e % 6) = jets[3 * e + 1];
   }
-  c.determinant = c.jacobian.determinant();
+  c.determinant = linear::determinant(c.jacobian);
 
   // Moments count per characteristic length; a row whose magnitude is a couple, or an angle's torque, is measured in that length as well.
   Matrix6d g = c.jacobian;
@@ -22,10 +26,10 @@ ClosedForm closed_form(const Machine& machine, const State& state, double length
   const Topology& t = machine.topology();
   for (int i = 0; i < 6; ++i) {
     const auto k = static_cast<std::size_t>(i < machine.dof() ? i : i - machine.dof());
-    const bool angular = i < machine.dof() ? t.actuators[k].unit == "rad" : t.constraints[k].unit == "N*m";
-    if (angular) g.row(i) *= length;
+    const Sense sense = i < machine.dof() ? t.actuators[k].sense() : t.constraints[k].sense();
+    if (sense == Sense::rotary) g.row(i) *= length;
   }
-  const auto sigma = Eigen::JacobiSVD<Matrix6d>(g).singularValues();
+  const Vector6d sigma = linear::singular_values(g);
   c.condition = sigma(5) > 0 ? sigma(0) / sigma(5) : std::numeric_limits<double>::infinity();
   return c;
 }
@@ -42,13 +46,11 @@ Vector6d actuator_accelerations(const State& state) {
   return r;
 }
 
-Vector6d forward_velocity(const ClosedForm& c, const Vector6d& rates) { return c.jacobian.partialPivLu().solve(rates); }
+Vector6d forward_velocity(const ClosedForm& c, const Vector6d& rates) { return linear::solution(c.jacobian, rates); }
 
 Vector6d forward_acceleration(const ClosedForm& c, const Vector6d& accelerations, const Vector6d& twist) {
-  return c.jacobian.partialPivLu().solve(accelerations - c.jacobian_rate * twist);
+  return linear::solution(c.jacobian, accelerations - c.jacobian_rate * twist);
 }
-
-Vector6d closed_statics(const ClosedForm& c, const Vector6d& load) { return -c.jacobian.transpose().partialPivLu().solve(load); }
 
 SourceDeviation source_deviation(const Machine& machine, const State& state) {
   const Topology& t = machine.topology();

@@ -1,4 +1,8 @@
-// The plugin's closed form: its overall Jacobian G (6 x 6), G * twist = (actuator rates, 0), and what follows from it.
+// The plugin's closed form: its overall Jacobian G (6 x 6), and what follows from it. With V = (v; w) the twist of the platform about its
+// reference point and l the actuators,
+//     G V = (l', 0)                          (1)
+//     G V' + G' V = (l'', 0)                 (2)
+// The rows below the actuators' are the constraint wrenches of the limbs: those do no work on any motion of the platform.
 #pragma once
 
 #include <core/mechanics/model/state.hpp>
@@ -6,23 +10,22 @@
 namespace pmreport::mechanics {
 
 struct ClosedForm {
-  Matrix6d jacobian, jacobian_rate;  // G and dG/dt along the motion
-  double determinant = 0;
-  double condition = 0;  // of G made dimensionless by the characteristic length
+  Matrix6d jacobian, jacobian_rate;  // G and G' along the motion
+  double determinant = 0;            // of G, in its own units
+  double condition = 0;              // of G made dimensionless (singularity.hpp), 1 at best; infinite where G is singular
 };
-// `length`: characteristic_length(machine) [m].
+// Of an assembled pose: `state.status` is PM_OK. `length`: characteristic_length(machine) [m]. Where the plugin gives no G the numbers are
+// not finite.
 ClosedForm closed_form(const Machine& machine, const State& state, double length);
 
-// (actuator rates, 0) of a state, and (actuator accelerations, 0).
+// The right sides of (1) and (2): (actuator rates, 0) of a state, and (actuator accelerations, 0).
 Vector6d actuator_rates(const State& state);
 Vector6d actuator_accelerations(const State& state);
 
-// Twist of the platform from actuator rates, and its rate from their accelerations: A = G^-1 (l'' - G' V).
+// Twist of the platform from (actuator rates, 0), V = G^-1 l', and its rate from (actuator accelerations, 0), V' = G^-1 (l'' - G' V). Not
+// finite, or large, where G is singular.
 Vector6d forward_velocity(const ClosedForm& c, const Vector6d& rates);
 Vector6d forward_acceleration(const ClosedForm& c, const Vector6d& accelerations, const Vector6d& twist);
-
-// Massless statics: actuator forces (push positive) and constraint wrenches that balance the wrench w on the platform, -G^-T w.
-Vector6d closed_statics(const ClosedForm& c, const Vector6d& load);
 
 // The relations that the source states by its matrices (Topology::matrices), with the rates of the state: for each relation, the sum of
 // matrices times rates less the rates that they give, relative to the largest term. `matrix`: one of the worst relation.

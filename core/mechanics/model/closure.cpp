@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <core/assertion.hpp>
 
 namespace pmreport::mechanics {
 
@@ -21,6 +22,7 @@ double angle_about(const Vector3d& axis, const Vector3d& from, const Vector3d& t
 }  // namespace
 
 std::vector<BodyState> bodies_at_rest(const Machine& machine, const Pose& pose) {
+  PMREPORT_ASSERT(pose.status == PM_OK, "the pose is assembled");
   std::vector<BodyState> bodies(machine.topology().bodies.size());
   for (std::size_t i = 1; i < bodies.size(); ++i) {
     bodies[i].origin = machine.origin(pose, static_cast<int>(i));
@@ -51,15 +53,16 @@ Closure::Closure(const Machine& machine) : machine_(machine) {
 }
 
 ClosureError Closure::error(const std::vector<BodyState>& bodies) const {
+  PMREPORT_ASSERT(bodies.size() == machine_.topology().bodies.size(), "all bodies are given, base first");
   ClosureError e;
   const Topology& t = machine_.topology();
   for (std::size_t i = 0; i < home_.size(); ++i) {
     const Joint& j = t.joints[i];
     const Home& h = home_[i];
     const BodyState &a = bodies[static_cast<std::size_t>(j.a)], &b = bodies[static_cast<std::size_t>(j.b)];
-    Vector3d gap = b.origin + b.rotation * h.b.centre - a.origin - a.rotation * h.a.centre;
+    Vector3d gap = b.origin + b.rotation * h.b.centre - a.origin - a.rotation * h.a.centre;  // (1)
     const Vector3d axis_a = a.rotation * h.a.axis[0];
-    double turn = 0;
+    double turn = 0;  // (2)
     switch (j.kind) {
       case JointKind::spherical:
         break;
@@ -74,7 +77,7 @@ ClosureError Closure::error(const std::vector<BodyState>& bodies) const {
         gap -= axis_a * axis_a.dot(gap);
         const bool spinning = t.bodies[static_cast<std::size_t>(j.a)].slender || t.bodies[static_cast<std::size_t>(j.b)].slender;
         if (j.kind == JointKind::prismatic && !spinning) {
-          const Matrix3d change = h.relative.transpose() * a.rotation.transpose() * b.rotation;
+          const Matrix3d change = h.relative.transpose() * a.rotation.transpose() * b.rotation;  // R_AB at home and now: 1 when equal
           const Vector3d skew(change(2, 1) - change(1, 2), change(0, 2) - change(2, 0), change(1, 0) - change(0, 1));
           turn = std::atan2(skew.norm(), change.trace() - 1.0);
         } else {
@@ -93,7 +96,7 @@ std::vector<double> Closure::motion(const std::vector<BodyState>& bodies, int jo
   const Joint& j = machine_.topology().joints[static_cast<std::size_t>(joint)];
   const Home& h = home_[static_cast<std::size_t>(joint)];
   const BodyState &a = bodies[static_cast<std::size_t>(j.a)], &b = bodies[static_cast<std::size_t>(j.b)];
-  const Matrix3d relative = a.rotation.transpose() * b.rotation;
+  const Matrix3d R_AB = a.rotation.transpose() * b.rotation;
   const Vector3d& axis = h.a.axis[0];
   switch (j.kind) {
     case JointKind::spherical: {
@@ -104,15 +107,15 @@ std::vector<double> Closure::motion(const std::vector<BodyState>& bodies, int jo
     case JointKind::revolute:
     case JointKind::cylindrical: {  // a direction of b across the axis, at home and now, both in the axes of a
       const Vector3d across = axis.unitOrthogonal();
-      return {angle_about(axis, across, relative * h.relative.transpose() * across)};
+      return {angle_about(axis, across, R_AB * h.relative.transpose() * across)};
     }
     case JointKind::universal: {  // b's second axis turns about the first in a; a's first axis turns the other way about the second in b
-      const Vector3d second_now = relative * h.b.axis[1], first_now = relative.transpose() * h.a.axis[0];
+      const Vector3d second_now = R_AB * h.b.axis[1], first_now = R_AB.transpose() * h.a.axis[0];
       return {angle_about(axis, h.a.axis[1], second_now), -angle_about(h.b.axis[1], h.b.axis[0], first_now)};
     }
     case JointKind::prismatic: {
-      const Vector3d now = b.origin + b.rotation * h.b.centre - a.origin - a.rotation * h.a.centre;
-      return {(a.rotation * axis).dot(now)};
+      const Vector3d p_CaCb = b.origin + b.rotation * h.b.centre - a.origin - a.rotation * h.a.centre;
+      return {(a.rotation * axis).dot(p_CaCb)};
     }
   }
   return {};

@@ -1,5 +1,6 @@
 #include <core/mechanics/model/differences.hpp>
 
+#include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 
 #include <algorithm>
@@ -29,7 +30,7 @@ Deviation jets_against_differences(const Machine& machine, const State& state) {
   const std::size_t dof = state.coordinates.size(), size = machine.layout().size();
   double speed = 0;  // of the coordinates, in sizes a second
   for (std::size_t i = 0; i < dof; ++i) {
-    const double unit = machine.topology().coordinates[i].unit == "m" ? length : 1.0;
+    const double unit = size_of(machine.topology().coordinates[i].sense(), length);
     speed = std::max({speed, std::abs(state.coordinates[i].rate) / unit, std::sqrt(std::abs(state.coordinates[i].acceleration) / unit)});
   }
   Deviation d;

@@ -1,6 +1,8 @@
 #include <core/mechanics/model/generic_model.hpp>
 
-#include <Eigen/QR>
+#include <Eigen/Geometry>
+#include <array>
+#include <core/assertion.hpp>
 
 namespace pmreport::mechanics {
 
@@ -21,20 +23,22 @@ class Rows {
         sb_(s.bodies[static_cast<std::size_t>(j.b)]),
         at_(at),
         row_(first) {
-    centre_rate_ = sa_.velocity + sa_.angular_velocity.cross(at.centre - sa_.origin);
-    relative_velocity_ = sb_.velocity + sb_.angular_velocity.cross(at.centre - sb_.origin) - centre_rate_;
+    const Vector3d p_AC = at.centre - sa_.origin, p_BC = at.centre - sb_.origin;
+    centre_rate_ = sa_.velocity + sa_.angular_velocity.cross(p_AC);
+    relative_velocity_ = sb_.velocity + sb_.angular_velocity.cross(p_BC) - centre_rate_;
     relative_rotation_ = sb_.angular_velocity - sa_.angular_velocity;
   }
 
-  // e . dv = 0. With c carried by body a, d/dt v_b(c) = a_b + e_b x r_b + w_b x (c' - v_b), likewise for a; the terms without
-  // accelerations, and the turning of e itself, are the bias.
+  // (2), and what the accelerations do not enter of (4).
   void force(const Vector3d& e, const Vector3d& e_rate) {
-    write(m_.constraints, e, at_.centre);
+    const Vector3d p_AC = at_.centre - sa_.origin, p_BC = at_.centre - sb_.origin;
+    if (b_ > 0) m_.constraints.block<1, 6>(row_, 6 * b_ - 6) << e.transpose(), p_BC.cross(e).transpose();
+    if (a_ > 0) m_.constraints.block<1, 6>(row_, 6 * a_ - 6) << -e.transpose(), -p_AC.cross(e).transpose();
     m_.bias(row_) = e_rate.dot(relative_velocity_) + e.dot(sb_.angular_velocity.cross(centre_rate_ - sb_.velocity) -
                                                            sa_.angular_velocity.cross(centre_rate_ - sa_.velocity));
     ++row_;
   }
-  // e . dw = 0.
+  // (3), and likewise of (5).
   void couple(const Vector3d& e, const Vector3d& e_rate) {
     if (b_ > 0) m_.constraints.block<1, 3>(row_, 6 * b_ - 3) = e.transpose();
     if (a_ > 0) m_.constraints.block<1, 3>(row_, 6 * a_ - 3) = -e.transpose();
@@ -62,10 +66,6 @@ class Rows {
     const Vector3d e = at_.axis[0].unitOrthogonal();
     return {e, at_.axis[0].cross(e)};
   }
-  void write(MatrixXd& m, const Vector3d& e, const Vector3d& c) {
-    if (b_ > 0) m.block<1, 6>(row_, 6 * b_ - 6) << e.transpose(), (c - sb_.origin).cross(e).transpose();
-    if (a_ > 0) m.block<1, 6>(row_, 6 * a_ - 6) << -e.transpose(), -(c - sa_.origin).cross(e).transpose();
-  }
 
   GenericModel& m_;
   int a_, b_;
@@ -78,6 +78,7 @@ class Rows {
 }  // namespace
 
 GenericModel generic_model(const Machine& machine, const State& state) {
+  PMREPORT_ASSERT(state.status == PM_OK, "the state is that of an assembled pose");
   const Topology& t = machine.topology();
   const int columns = 6 * (static_cast<int>(t.bodies.size()) - 1);
   GenericModel m;
@@ -117,7 +118,7 @@ GenericModel generic_model(const Machine& machine, const State& state) {
     for (const auto& [body, sign] : {std::pair{j.b, 1.0}, std::pair{j.a, -1.0}}) {
       if (body == 0) continue;
       auto cell = m.actuation.block<1, 6>(static_cast<int>(i), 6 * body - 6);
-      if (a.unit == "m")
+      if (a.sense() == Sense::linear)
         cell << sign * n.transpose(), sign * (at.centre - state.bodies[static_cast<std::size_t>(body)].origin).cross(n).transpose();
       else
         cell << 0, 0, 0, sign * n.transpose();
@@ -149,63 +150,6 @@ double characteristic_length(const Machine& machine) {
       ++count;
     }
   return sum > 0 ? sum / count : 1.0;
-}
-
-Mobility mobility(const Machine& machine, const State& state) {
-  const Topology& t = machine.topology();
-  const GenericModel model = generic_model(machine, state);
-  const double length = characteristic_length(machine);
-  const int columns = static_cast<int>(model.constraints.cols()), rows = static_cast<int>(model.constraints.rows());
-  const int n_actuators = static_cast<int>(t.actuators.size());
-
-  // Rows of PHI, then those that show the platform and the actuators; rotations are scaled by the characteristic length.
-  MatrixXd all(rows + 6 + n_actuators, columns);
-  all << model.constraints, MatrixXd::Zero(6, columns), model.actuation;
-  all.block<6, 6>(rows, 6 * t.platform - 6).setIdentity();
-  for (int body = 0; body < columns / 6; ++body) all.middleCols(6 * body + 3, 3) /= length;
-  for (int r = 0; r < all.rows(); ++r) all.row(r).normalize();
-
-  const auto rank = [](const MatrixXd& m) {
-    Eigen::ColPivHouseholderQR<MatrixXd> qr(m.transpose());
-    qr.setThreshold(1e-9);  // far above rounding (1e-15), far below what distinguishes a regular pose
-    return static_cast<int>(qr.rank());
-  };
-  Mobility m;
-  m.bodies = static_cast<int>(t.bodies.size());
-  m.joints = static_cast<int>(t.joints.size());
-  for (const Joint& j : t.joints) m.freedoms_sum += freedoms_of(j.kind);
-  m.gruebler = 6 * (m.bodies - m.joints - 1) + m.freedoms_sum - t.idle;
-  m.rows = rows;
-  m.rank = rank(all.topRows(rows));
-  m.idle = columns - rank(all);
-  m.freedoms = columns - m.rank - m.idle;
-  m.redundant = rows - m.rank;
-  return m;
-}
-
-GenericStatics generic_statics(const GenericModel& model, const VectorXd& wrenches) {
-  const int rows = static_cast<int>(model.constraints.rows()), m = static_cast<int>(model.actuation.rows());
-  MatrixXd system(model.constraints.cols(), rows + m);
-  system << model.constraints.transpose(), model.actuation.transpose();
-  const VectorXd x = Eigen::CompleteOrthogonalDecomposition<MatrixXd>(system).solve(-wrenches);
-  const double largest = wrenches.lpNorm<Eigen::Infinity>();
-  return {x.head(rows), x.tail(m), largest > 0 ? (system * x + wrenches).lpNorm<Eigen::Infinity>() / largest : 0.0};
-}
-
-GenericStatics generic_statics(const Machine& machine, const GenericModel& model, const Vector6d& load) {
-  VectorXd w = VectorXd::Zero(model.constraints.cols());
-  w.segment<6>(6 * machine.topology().platform - 6) = load;
-  return generic_statics(model, w);
-}
-
-VectorXd weights(const Machine& machine, const State& state, const Vector3d& gravity) {
-  VectorXd w(6 * (static_cast<int>(state.bodies.size()) - 1));
-  for (std::size_t i = 1; i < state.bodies.size(); ++i) {
-    const Inertia& body = machine.topology().bodies[i].inertia;
-    const Vector3d force = body.mass * gravity;
-    w.segment<6>(6 * static_cast<int>(i) - 6) << force, (state.bodies[i].rotation * body.centre).cross(force);
-  }
-  return w;
 }
 
 }  // namespace pmreport::mechanics

@@ -1,12 +1,23 @@
 // The generic model: what the declared bodies and joints say, independent of the plugin's closed form.
 //
-// Each joint between bodies a and b forbids some relative motion at its centre c. With the relative velocity dv = v_b(c) - v_a(c) and the
-// relative angular velocity dw = w_b - w_a, a forbidden translation along e reads e . dv = 0 (constraint force along e), a forbidden
-// rotation about e reads e . dw = 0 (constraint couple about e):
+// Each joint between bodies A and B forbids some relative motion at its centre C. With the names of state.hpp the relative motion is
+//     v = (v_B + w_B x p_BC) - (v_A + w_A x p_AC),   w = w_B - w_A              (1)
+// A forbidden translation along e, and a forbidden rotation about e, read
+//     e . v = 0,   on the twist (v_B; w_B) the row (e; p_BC x e), on A its negative with p_AC: a constraint force along e   (2)
+//     e . w = 0,   on B the row (0; e), on A its negative: a constraint couple about e                                     (3)
+// because e . (w_B x p_BC) = w_B . (p_BC x e). The kinds of joints forbid
 //   spherical    3 forces                       revolute     3 forces, 2 couples across the axis
 //   universal    3 forces, 1 couple a1 x a2     cylindrical  2 forces, 2 couples across the axis
 //   prismatic    2 forces across the axis, 3 couples
-// The rows stack to PHI (sum of 6 - f rows, 6 n columns), acting on the twists (v of the origin; w) of the bodies 1..n.
+// The rows stack to PHI (sum of 6 - f rows, 6 n columns), acting on the twists of the bodies 1..n: PHI V = 0.
+//
+// Along a motion e turns and C moves with the body that carries them, and d/dt (2), d/dt (3) are
+//     e . (a_B + e_B x p_BC + w_B x (v_C - v_B) - a_A - e_A x p_AC - w_A x (v_C - v_A)) + e' . v = 0        (4)
+//     e . (e_B - e_A) + e' . w = 0                                                                       (5)
+// in which what the accelerations do not enter is the bias: PHI A + bias = 0. In (4) v_C may be the velocity of any point that stays at the
+// centre; that of the point of A is taken.
+//
+// An actuator measures along, or about, axis 1 of its joint, n: its rate is n . v, or n . w, and its row of B is (2) or (3) with n for e.
 #pragma once
 
 #include <core/mechanics/model/state.hpp>
@@ -14,45 +25,20 @@
 namespace pmreport::mechanics {
 
 struct GenericModel {
-  Eigen::MatrixXd constraints;  // PHI
-  Eigen::VectorXd bias;         // PHI' V, so that PHI A + bias = 0 for the true accelerations
-  std::vector<int> joint_of_row;
-  Eigen::MatrixXd actuation;  // one row an actuator: actuation V = actuator rates
+  Eigen::MatrixXd constraints;    // PHI: rows [1] and [m] on (velocity; angular velocity), force rows of a joint before its couples
+  Eigen::VectorXd bias;           // one number a row of PHI [m/s^2], [rad/s^2]
+  std::vector<int> joint_of_row;  // of PHI
+  Eigen::MatrixXd actuation;      // B: one row an actuator, 6 n columns
 };
+// Of an assembled pose: `state.status` is PM_OK.
 GenericModel generic_model(const Machine& machine, const State& state);
 
-// The twists of the bodies 1..n, and their rates, stacked.
+// The twists of the bodies 1..n, and their rates, stacked: 6 n numbers.
 Eigen::VectorXd stacked_twists(const State& state);
 Eigen::VectorXd stacked_twist_rates(const State& state);
 
-// Mean distance of the platform's joints from its reference point at home [m]: the length that makes moments comparable with forces.
+// Mean distance of the centres of the platform's joints from its reference point at home [m], 1 m where all are in that point: the length
+// that makes moments comparable with forces, and rotations with translations. Above zero.
 double characteristic_length(const Machine& machine);
-
-// Mobility by rank: 6 n - rank PHI = freedoms + idle, where idle motions move neither platform nor any actuator.
-struct Mobility {
-  int bodies = 0;  // links, base included
-  int joints = 0;
-  int freedoms_sum = 0;  // of all joints
-  int gruebler = 0;      // 6 (links - joints - 1) + sum f - idle, without redundant constraints
-  int rows = 0, rank = 0;
-  int idle = 0;       // found by rank
-  int freedoms = 0;   // found by rank
-  int redundant = 0;  // rows - rank
-};
-Mobility mobility(const Machine& machine, const State& state);
-
-// Statics of the whole system: PHI^T lambda + B^T tau + w = 0, w the wrenches on the bodies 1..n (force; moment about the body's origin),
-// stacked. Least squares; `residual` tells how well equilibrium is met. Redundant constraints give the least-norm lambda.
-struct GenericStatics {
-  Eigen::VectorXd reactions;        // lambda
-  Eigen::VectorXd actuator_forces;  // tau, push positive
-  double residual = 0;              // largest unbalanced force or moment, relative to the largest of the loads
-};
-GenericStatics generic_statics(const GenericModel& model, const Eigen::VectorXd& wrenches);
-// Massless: the wrench (force; moment about the reference point) acts on the platform alone.
-GenericStatics generic_statics(const Machine& machine, const GenericModel& model, const Vector6d& load);
-
-// The weights of the bodies, as stacked wrenches. `gravity` [m/s^2].
-Eigen::VectorXd weights(const Machine& machine, const State& state, const Eigen::Vector3d& gravity);
 
 }  // namespace pmreport::mechanics

@@ -45,7 +45,7 @@ ParameterValues default_values(const MechanismInfo& info);
 struct Pose {
   pm_status status = PM_FAILED;  // PM_OK, PM_UNREACHABLE, PM_FAILED
   std::string why;               // a sentence when not PM_OK
-  std::vector<double> numbers;
+  std::vector<double> numbers;   // layout().size() of them, SI; without meaning when not PM_OK
 };
 
 class Machine {
@@ -61,24 +61,35 @@ class Machine {
   const Topology& topology() const { return topology_; }
   const Layout& layout() const { return layout_; }
   int dof() const { return info_.dof; }
-  Eigen::VectorXd home() const;  // coordinates of the home pose
+  Eigen::VectorXd home() const;  // coordinates of the home pose, dof numbers [m], [rad]
   const Pose& home_pose() const { return home_pose_; }
 
+  // The pose at dof coordinates [m], [rad]. Failure is told by its status.
   Pose pose(std::span<const double> coordinates) const;
-  Eigen::Vector3d origin(const Pose& pose, int body) const;
-  Eigen::Matrix3d rotation(const Pose& pose,
-                           int body) const;  // of a slender body: z along its axis, the others anyhow; of the base: identity
-  Eigen::Vector3d centre(const Pose& pose, int joint) const;
-  Eigen::Vector3d axis(const Pose& pose, int joint, int k = 0) const;
+  // Of a pose that is PM_OK, base axes. Bodies count from 0, the base; joints and axes from 0.
+  Eigen::Vector3d origin(const Pose& pose, int body) const;            // p_A [m]; of the base: zero
+  Eigen::Matrix3d rotation(const Pose& pose, int body) const;          // R_A; of a slender body: z along its axis, the others anyhow
+  Eigen::Vector3d centre(const Pose& pose, int joint) const;           // p_C [m]
+  Eigen::Vector3d axis(const Pose& pose, int joint, int k = 0) const;  // unit; k < axes_of(kind)
 
-  // The contract's own functions, for arrays of the caller's. `place` with more than one pose reports each one's reach in the placement.
+  // The contract's own functions, for arrays of the caller's. A scalar of order `order` is c = components(order) doubles: its value
+  // (PM_VALUE); value, rate, acceleration (PM_JET); value and dof partials (PM_PARTIALS); high and low part (PM_EXTENDED). Component e of
+  // scalar s of pose k stands at [(c s + e) count + k]. Neither throws; `why` gets a sentence when the answer is not PM_OK.
+  //
+  // Where everything is. `coordinates`: dof scalars a pose, with PM_PARTIALS plain values; `placement`: layout().size() scalars. Of one
+  // pose PM_UNREACHABLE when it cannot be assembled; of several each one's reach, negative then, is the first scalar of its placement, and
+  // the numbers of such a pose mean nothing.
   pm_status place(pm_order order, std::size_t count, const double* coordinates, double* placement, std::string* why = nullptr) const;
+  // The plugin's overall Jacobian G of a placement that is in reach: 36 scalars a pose, row-major, G V = (actuator rates, 0), V the twist
+  // of the platform about its reference point. A row of an actuator has [m/s] or [rad/s] by [m/s, rad/s]. Not finite, or PM_SINGULAR, where
+  // G has no value: on some singular surfaces.
+  pm_status jacobian(pm_order order, std::size_t count, const double* placement, double* jacobian, std::string* why = nullptr) const;
+  std::size_t components(pm_order order) const;  // doubles per scalar
+
   // The matrices of the source, in the order of topology().matrices; none where the plugin brings none, or gives none at this pose.
   std::vector<Eigen::MatrixXd> matrices(std::span<const double> coordinates, const Pose& pose) const;
   // The readings of the source, in the order of topology().readings; NaN where one is not defined.
   std::vector<double> readings(std::span<const double> coordinates, const Pose& pose) const;
-  pm_status jacobian(pm_order order, std::size_t count, const double* placement, double* jacobian, std::string* why = nullptr) const;
-  std::size_t components(pm_order order) const;  // doubles per scalar
 
   // The same mechanism with other values of its parameters. Throws as the constructor does.
   std::unique_ptr<Machine> with(ParameterValues values) const { return std::make_unique<Machine>(*table_, std::move(values)); }

@@ -94,4 +94,11 @@ void evaluate(const Machine& machine, const double* q, const double* q_rate, con
   scalars(out.derived, t.derived.size(), layout.derived(0));
 }
 
+State state_at_rest(const Machine& machine, const Eigen::VectorXd& coordinates) {
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(machine.dof());
+  State s;
+  evaluate(machine, coordinates.data(), still.data(), still.data(), s);
+  return s;
+}
+
 }  // namespace pmreport::mechanics

@@ -1,7 +1,9 @@
 #include <core/mechanics/reactions/inverse_dynamics.hpp>
 
-#include <core/mechanics/reactions/inverse_dynamics_dense.hpp>
-#include <core/mechanics/reactions/inverse_dynamics_kernel.hpp>
+#include <core/assertion.hpp>
+#include <core/mechanics/reactions/by_limb/kernel.hpp>
+#include <core/mechanics/reactions/by_limb/planner.hpp>
+#include <core/mechanics/reactions/dense_dynamics.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -145,6 +147,7 @@ InverseDynamics::InverseDynamics(InverseDynamics&&) noexcept = default;
 
 void InverseDynamics::solve(std::size_t count, const double* jets, const double* loads, const Eigen::Vector3d& gravity,
                             MotionReactions& out, bool reactions) {
+  PMREPORT_ASSERT(work_ != nullptr && jets != nullptr && loads != nullptr, "there is a motion and a load");
   work_->solve(count, jets, loads, gravity, out, reactions);
 }
 

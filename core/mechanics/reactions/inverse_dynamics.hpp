@@ -2,27 +2,22 @@
 //
 // Cut the mechanism loose from its platform: what is left falls into groups of bodies, each standing on the base (a limb; limbs that are
 // joined to one another form one group). In each group a tree of joints reaches every body from the base; the wrench through a joint of the
-// tree balances all that lies beyond it. So the only unknowns are the reactions of the joints that the tree leaves out, those at the
-// platform among them, and the only equations that each passive freedom of a tree joint transmits nothing: a few of both in a limb (a UPS
-// leg: two equations, three unknowns) where the system over all bodies has 6 n. What they leave open is settled by the six equations of the
-// platform; what those leave open is self-stress.
+// tree balances all that lies beyond it: with D_b what body b demands (momentum.hpp, less weight and load) and X_c what a cut joint exerts,
+//     W_j = sum of D_b beyond j - sum of X_c beyond j                             (1)
+// So the only unknowns are the reactions of the joints that the tree leaves out, those at the platform among them, and the only equations
+// that each passive freedom s of a tree joint transmits nothing,
+//     s . W_j = 0                                                                 (2)
+// a few of both in a limb (a UPS leg: two equations, three unknowns) where the system over all bodies has 6 n. What they leave open is
+// settled by the six equations of the platform P,
+//     sum of X_c on P = D_P                                                       (3)
+// and what those leave open is self-stress. The forces of actuators are the part of (1) along the freedoms that they drive.
 #pragma once
 
-#include <core/mechanics/reactions/reactions.hpp>
+#include <core/mechanics/reactions/motion_reactions.hpp>
 
 #include <memory>
 
 namespace pmreport::mechanics {
-
-// Of `count` poses, number i of pose k at [i * count + k].
-struct MotionReactions {
-  std::vector<double> actuator_forces;       // dof numbers a pose, push positive
-  std::vector<double> joints;                // 6 numbers a joint: what body a exerts on body b, as JointReactions::joints
-  std::vector<Indeterminate> indeterminate;  // one a joint
-  std::vector<double> stresses;              // 6 numbers a joint, stress after stress: orthogonal in the norm of reactions.hpp, of length 1
-  std::vector<double> regularity;  // how far from singular, 1 at best: least pivot over largest; below 1e-9 the pose has NaN forces
-  int stress_count = 0;            // dimension of the self-stress
-};
 
 class InverseDynamics {
  public:

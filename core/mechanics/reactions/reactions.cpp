@@ -1,9 +1,11 @@
 #include <core/mechanics/reactions/reactions.hpp>
 
-#include <core/mechanics/mobility/screw.hpp>
+#include <core/assertion.hpp>
+#include <core/linear/least_norm.hpp>
+#include <core/linear/subspace.hpp>
+#include <core/mechanics/model/constraint_scale.hpp>
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <limits>
 
@@ -50,7 +52,7 @@ void each_side(const State& state, const Joint& joint, const Vector3d& centre, c
 // What an actuator exerts on body b of its joint, about the joint's centre.
 Vector6d drive_wrench(const Actuator& actuator, const State& state, double force) {
   Vector6d w = Vector6d::Zero();
-  (actuator.unit == "m" ? w.head<3>() : w.tail<3>()) = force * state.joints[static_cast<std::size_t>(actuator.joint)].axis[0];
+  (actuator.sense() == Sense::linear ? w.head<3>() : w.tail<3>()) = force * state.joints[static_cast<std::size_t>(actuator.joint)].axis[0];
   return w;
 }
 
@@ -62,7 +64,6 @@ Vector6d in_axes(const Matrix3d& frame, const Vector6d& wrench) {
 
 std::vector<Indeterminate> indeterminate_components(const State& state, const JointFrames& frames,
                                                     const std::vector<std::vector<Vector6d>>& stresses, double length) {
-  constexpr double carried = 1e-7;  // far above rounding, far below a share that an engineer would call one
   std::vector<Indeterminate> out(state.joints.size(), 0);
   for (const std::vector<Vector6d>& stress : stresses) {
     double largest = 0;
@@ -70,7 +71,7 @@ std::vector<Indeterminate> indeterminate_components(const State& state, const Jo
     for (std::size_t j = 0; j < stress.size(); ++j) {
       const Vector6d local = in_axes(frames(state, static_cast<int>(j)), stress[j]);
       for (int c = 0; c < 6; ++c) {
-        const double least = carried * largest * (c < 3 ? 1 : length);
+        const double least = linear::carried_share * largest * (c < 3 ? 1 : length);
         if (std::abs(local(c)) > least) out[j] = static_cast<Indeterminate>(out[j] | 1 << c);
         if (std::abs(stress[j](c)) > least) out[j] = static_cast<Indeterminate>(out[j] | 64 << c);
       }
@@ -121,16 +122,16 @@ std::vector<Vector6d> limb_wrenches(const Machine& machine, const State& state, 
 
 JointReactions dense_reactions(const Machine& machine, const State& state, const GenericModel& model, const JointFrames& frames,
                                const Loading& loading, double length) {
+  PMREPORT_ASSERT(state.status == PM_OK, "the state is that of an assembled pose");
   const Index rows = model.constraints.rows(), m = model.actuation.rows();
-  MatrixXd system(model.constraints.cols(), rows + m);
-  system << model.constraints.transpose(), model.actuation.transpose();
+  MatrixXd all(rows + m, model.constraints.cols());
+  all << model.constraints, model.actuation;
+  MatrixXd system = per_length(std::move(all), length).transpose();
   const VectorXd required = inertial_wrenches(machine, state) - applied_wrenches(machine, state, loading);
   VectorXd right = required;
-  // Moments count per length, and so do multipliers of couples: the norm of a solution is that of the header. A couple has no force.
-  for (Index at = 0; at < system.rows(); at += 6) {
-    system.middleRows<3>(at + 3) /= length;
-    right.segment<3>(at + 3) /= length;
-  }
+  // (1) for lambda and tau together. Moments count per length, and so do multipliers of couples: the norm of a solution is that of the
+  // header. A couple has no force.
+  for (Index at = 0; at < system.rows(); at += 6) right.segment<3>(at + 3) /= length;
   VectorXd scale = VectorXd::Ones(rows + m);
   for (Index c = 0; c < rows + m; ++c) {
     double force = 0, couple = 0;
@@ -143,16 +144,13 @@ JointReactions dense_reactions(const Machine& machine, const State& state, const
   system = system * scale.asDiagonal();
 
   JointReactions out;
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
-  solver.setThreshold(rank_tolerance);
-  solver.compute(system);
-  const VectorXd x = scale.asDiagonal() * solver.solve(right);
-  const MatrixXd null = scale.asDiagonal() * null_space(system);
+  const VectorXd x = scale.asDiagonal() * linear::least_norm_solution(system, right, linear::rank_tolerance);
+  const MatrixXd null = scale.asDiagonal() * linear::null_space(system);
   out.actuator_forces = x.tail(m);
   out.joints = joint_wrenches(machine, state, model, x.head(rows));
   for (Index k = 0; k < null.cols(); ++k) {
     out.stresses.push_back(joint_wrenches(machine, state, model, null.col(k).head(rows)));
-    if (null.col(k).tail(m).cwiseAbs().maxCoeff() > 1e-7 * null.col(k).cwiseAbs().maxCoeff()) out.singular = true;
+    if (null.col(k).tail(m).cwiseAbs().maxCoeff() > linear::carried_share * null.col(k).cwiseAbs().maxCoeff()) out.singular = true;
   }
   out.indeterminate = indeterminate_components(state, frames, out.stresses, length);
   out.residual = free_body_residual(machine, state, out.joints, out.actuator_forces, required, length);

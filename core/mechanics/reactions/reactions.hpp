@@ -1,10 +1,11 @@
 // The reaction of every joint, by Newton and Euler on every body, and whether it is the only one.
 //
-//     PHI^T lambda + B^T tau + applied = inertial
-// is one linear system over all bodies 1..n for the constraint reactions lambda and the actuator forces tau. Its null space is the
-// self-stress: reactions that balance one another without any load. A component of a reaction that vanishes in all of it is unique. Any
-// other is indeterminate: rigid bodies do not tell it, stiffness or play would, and what is given is the least-norm one: the least sum over
-// the joints of |force|^2 + |moment / length|^2, length the characteristic length.
+//     PHI^T lambda + B^T tau + applied = inertial           (1)
+// with the rows of generic_model.hpp and the wrenches of momentum.hpp is one linear system over all bodies 1..n for the constraint
+// reactions lambda and the actuator forces tau. Its null space is the self-stress: reactions that balance one another without any load. A
+// component of a reaction that vanishes in all of it is unique. Any other is indeterminate: rigid bodies do not tell it, stiffness or play
+// would, and what is given is the least-norm one: the least sum over the joints of |force|^2 + |moment / length|^2, length the
+// characteristic length.
 #pragma once
 
 #include <core/mechanics/dynamics/momentum.hpp>
@@ -28,7 +29,7 @@ struct JointReactions {
 };
 
 // By one dense factorisation over all bodies: for any structure, and the judge of InverseDynamics.
-// `length`: characteristic_length(machine) [m].
+// `state.status` is PM_OK; `model` is its generic model; `length`: characteristic_length(machine) [m].
 JointReactions dense_reactions(const Machine& machine, const State& state, const GenericModel& model, const JointFrames& frames,
                                const Loading& loading, double length);
 

@@ -1,7 +1,13 @@
 #include <core/mechanics/singularity/singularity.hpp>
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
+#include <core/assertion.hpp>
+#include <core/linear/singular_values.hpp>
+#include <core/linear/square.hpp>
+#include <core/linear/subspace.hpp>
+#include <core/mechanics/model/constraint_scale.hpp>
+#include <core/mechanics/model/effort.hpp>
+#include <core/mechanics/model/generic_model.hpp>
+
 #include <cmath>
 #include <limits>
 
@@ -15,10 +21,11 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-bool angular(const Machine& m, int row) {
+// Of the magnitude that a row of G belongs to: an actuator, or a constraint wrench.
+Sense sense_of_row(const Machine& m, int row) {
   const Topology& t = m.topology();
-  return row < m.dof() ? t.actuators[static_cast<std::size_t>(row)].unit == "rad"
-                       : t.constraints[static_cast<std::size_t>(row - m.dof())].unit == "N*m";
+  return row < m.dof() ? t.actuators[static_cast<std::size_t>(row)].sense()
+                       : t.constraints[static_cast<std::size_t>(row - m.dof())].sense();
 }
 
 std::optional<Matrix6d> jacobian_of(const Machine& machine, const double* placement) {
@@ -28,26 +35,20 @@ std::optional<Matrix6d> jacobian_of(const Machine& machine, const double* placem
   return g.allFinite() ? std::optional(g) : std::nullopt;
 }
 
-// PHI with rotations per length and rows normalised.
-MatrixXd scaled(MatrixXd rows, double length) {
-  for (Index c = 0; c < rows.cols(); c += 6) rows.middleCols(c + 3, 3) /= length;
-  rows.rowwise().normalize();
-  return rows;
-}
-
 // Of sorted singular values the one after which only zeros are expected.
 double margin(const MatrixXd& m, Index expected_rank) {
-  const VectorXd sigma = Eigen::BDCSVD<MatrixXd>(m).singularValues();
+  const VectorXd sigma = linear::singular_values(m);
   return expected_rank > 0 && expected_rank <= sigma.size() ? sigma(expected_rank - 1) : 0.0;
 }
 
 }  // namespace
 
 Matrix6d dimensionless(const Machine& machine, const Matrix6d& jacobian, double length) {
+  PMREPORT_ASSERT(length > 0, "the characteristic length is positive");
   Matrix6d g = jacobian;
   g.rightCols<3>() /= length;
   for (int i = 0; i < 6; ++i)
-    if (angular(machine, i)) g.row(i) *= length;
+    if (sense_of_row(machine, i) == Sense::rotary) g.row(i) *= length;
   return g;
 }
 
@@ -55,8 +56,8 @@ double Conditioning::condition() const { return smallest > 0 ? largest / smalles
 
 Conditioning conditioning(const Machine& machine, const Matrix6d& jacobian, double length) {
   const Matrix6d g = dimensionless(machine, jacobian, length);
-  const Eigen::JacobiSVD<Matrix6d> svd(g, Eigen::ComputeFullV);
-  Conditioning c{g.determinant(), svd.singularValues()(5), svd.singularValues()(0), svd.matrixV().col(5)};
+  const linear::RightSingular svd = linear::right_singular(g);
+  Conditioning c{linear::determinant(g), svd.values(5), svd.values(0), svd.vectors.col(5)};
   c.escape.tail<3>() /= length;
   // A singular vector has no sign of its own: the largest component is positive.
   Index largest;
@@ -75,13 +76,8 @@ LineRanks line_ranks(const Machine& machine, const Matrix6d& jacobian, double le
     rows.row(i) /= screw.is_free() ? rows.row(i).tail<3>().norm() : rows.row(i).head<3>().norm();
   }
   // By singular values, as the literature has it; a pivot could be small without one.
-  const auto count = [](const MatrixXd& m) {
-    Eigen::JacobiSVD<MatrixXd> svd(m);
-    svd.setThreshold(rank_tolerance);
-    return static_cast<int>(svd.rank());
-  };
-  r.lines = count(rows.topRows(machine.dof()));
-  r.wrenches = count(rows);
+  r.lines = linear::rank_by_singular_values(rows.topRows(machine.dof()));
+  r.wrenches = linear::rank_by_singular_values(rows);
   return r;
 }
 
@@ -89,21 +85,21 @@ LockedFreedoms locked_freedoms(const Machine& machine, const State& state, const
   const GenericModel model = generic_model(machine, state);
   const Index columns = model.constraints.cols(), rows = model.constraints.rows(), drives = model.actuation.rows();
   const Index at = 6 * static_cast<Index>(machine.topology().platform) - 6;
-  const MatrixXd phi = scaled(model.constraints, length), drive = scaled(model.actuation, length);
+  const MatrixXd phi = unit_rows(model.constraints, length), drive = unit_rows(model.actuation, length);
   LockedFreedoms f;
 
   MatrixXd all(rows + drives, columns);
   all << phi, drive;
   f.escapes.origin = state.bodies[static_cast<std::size_t>(machine.topology().platform)].origin;
-  f.escapes.basis = column_space(null_space(all).middleRows(at, 6), 1);
+  f.escapes.basis = linear::column_space(linear::null_space(all).middleRows(at, 6), 1);
   f.escapes.basis.bottomRows(3) /= length;
-  f.platform = f.escapes.dimension();
-  f.free = rank(null_space(phi).middleRows(at, 6), 1);
+  f.platform = f.escapes.dimension();                                   // (2)
+  f.free = linear::rank(linear::null_space(phi).middleRows(at, 6), 1);  // (3)
 
   MatrixXd rest(rows, columns - 6), rest_drive(drives, columns - 6);
   rest << phi.leftCols(at), phi.rightCols(columns - 6 - at);
   rest_drive << drive.leftCols(at), drive.rightCols(columns - 6 - at);
-  f.actuators = rank(rest_drive * null_space(rest), 1);
+  f.actuators = linear::rank(rest_drive * linear::null_space(rest), 1);  // (4)
   f.inverse_margin = margin(rest, columns - 6 - at_home.idle);
   f.constraint_margin = margin(phi, at_home.rank);
   return f;
@@ -135,12 +131,12 @@ double dimensionless_determinant(const Machine& machine, const VectorXd& coordin
   std::vector<double> placement(machine.layout().size());
   if (machine.place(PM_VALUE, 1, coordinates.data(), placement.data()) != PM_OK) return nan;
   const std::optional<Matrix6d> g = jacobian_of(machine, placement.data());
-  return g ? dimensionless(machine, *g, length).determinant() : nan;
+  return g ? linear::determinant(dimensionless(machine, *g, length)) : nan;
 }
 
 std::optional<OnSurface> onto_surface(const Machine& machine, const VectorXd& coordinates, double length, double reach) {
   const auto& declared = machine.topology().coordinates;
-  const auto unit = [&](int i) { return declared[static_cast<std::size_t>(i)].unit == "m" ? length : 1.0; };
+  const auto unit = [&](int i) { return size_of(declared[static_cast<std::size_t>(i)].sense(), length); };
   const auto det = [&](int i, double shift) {
     VectorXd q = coordinates;
     q(i) += shift;

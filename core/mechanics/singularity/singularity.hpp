@@ -5,15 +5,18 @@
 // Gosselin (2002), constraint singularity: with all actuators free the platform has more freedoms than degrees of freedom.
 #pragma once
 
-#include <core/mechanics/mobility/mobility.hpp>
+#include <core/mechanics/mobility/mobility_count.hpp>
+#include <core/mechanics/mobility/wrench_system.hpp>
 
 #include <optional>
-#include <string>
+#include <vector>
 
 namespace pmreport::mechanics {
 
-// G made dimensionless by a length L [m]: G^ = D G diag(1, 1, 1, 1/L, 1/L, 1/L), D = L for rows whose magnitude is a couple or belongs to a
-// rotary actuator, else 1. Its singular values compare velocities v with L w, and forces with couples per L.
+// G made dimensionless by a length L [m],
+//     G^ = D G diag(1, 1, 1, 1/L, 1/L, 1/L)                    (1)
+// D = L for rows whose magnitude is a couple or belongs to a rotary actuator, else 1. Its singular values compare velocities v with L w,
+// and forces with couples per L.
 Matrix6d dimensionless(const Machine& machine, const Matrix6d& jacobian, double length);
 
 struct Conditioning {
@@ -34,16 +37,20 @@ struct LineRanks {
 };
 LineRanks line_ranks(const Machine& machine, const Matrix6d& jacobian, double length);
 
-// What the generic model lets move, by rank at `rank_tolerance`.
+// What the generic model lets move, by rank at linear::rank_tolerance. With PHI the constraint rows, B those of the actuators, N a basis of
+// a null space, subscript P the platform's columns or rows and Q those of the other bodies,
+//     platform      rank of N_P,  N of [PHI; B]                (2)
+//     free          rank of N_P,  N of PHI                     (3)
+//     actuators     rank of B_Q N,  N of PHI_Q                 (4)
 struct LockedFreedoms {
-  int platform = 0;              // of the platform, all actuators locked
-  int actuators = 0;             // of the actuators, the platform locked
-  int free = 0;                  // of the platform, all actuators free
+  int platform = 0;              // of the platform, all actuators locked: (2)
+  int actuators = 0;             // of the actuators, the platform locked: (4)
+  int free = 0;                  // of the platform, all actuators free: (3)
   ScrewSystem escapes;           // twists of the platform with all actuators locked, about its reference point
   double inverse_margin = 0;     // smallest singular value, beside those of idle freedoms, of PHI without the platform's columns
   double constraint_margin = 0;  // smallest one of PHI that is not zero at home
 };
-// `at_home`: mobility there.
+// `at_home`: mobility there; `state.status` is PM_OK; `length`, here and below: characteristic_length(machine) [m].
 LockedFreedoms locked_freedoms(const Machine& machine, const State& state, const Mobility& at_home, double length);
 
 enum class SingularityType { regular, inverse, direct, both, constraint };
@@ -63,7 +70,7 @@ struct Singularity {
 std::optional<Singularity> singularity_at(const Machine& machine, const Eigen::VectorXd& coordinates, const Mobility& at_home,
                                           double length);
 
-// det G^ at a pose; NaN where it cannot be assembled.
+// det G^ at dof coordinates [m], [rad]; NaN where the pose cannot be assembled, or the plugin gives no G.
 double dimensionless_determinant(const Machine& machine, const Eigen::VectorXd& coordinates, double length);
 
 // The pose on the singular surface that a pose given by rounded numbers means: the zero of det G along that one coordinate which changes

@@ -12,13 +12,13 @@
 namespace pmreport::scenario {
 namespace {
 
-using mechanics::Obstacle;
+using mechanics::Outcome;
 using mechanics::SmallVector;
 
 constexpr double resolution_of_span = 1e-10;  // of the whole motion: how exactly the time of an ending is found
 
-std::string ending_of(Obstacle obstacle, double t, const std::string& why) {
-  if (obstacle == Obstacle::singular)
+std::string ending_of(Outcome outcome, double t, const std::string& why) {
+  if (outcome == Outcome::singular)
     return fmt::format(
         "meets a singular surface at t = {} s: there the actuators no longer determine the pose, and beyond it no pose of this assembly "
         "mode "
@@ -49,7 +49,7 @@ Path between(const mechanics::Machine& machine, mechanics::Drive drive, const st
     const SmallVector start = way->samples.value.row(nearest - times.begin());
     mechanics::Follower follower(machine, way->drive);
     const mechanics::Follower::Arrival a = follower.go(follower.waymark(*nearest, start), t, way->resolution);
-    if (a.obstacle != Obstacle::none) return false;
+    if (a.outcome != Outcome::good) return false;
     std::copy_n(a.at.value.data(), a.at.value.size(), value);
     std::copy_n(a.at.rate.data(), a.at.rate.size(), rate);
     std::copy_n(a.at.acceleration.data(), a.at.acceleration.size(), acceleration);
@@ -88,7 +88,7 @@ std::optional<Motion> followed(Motion drive, const mechanics::Machine& machine, 
     at(t, value, rate, acceleration);
   };
   const mechanics::Approach start = mechanics::approach(machine, machine.home(), drive.value.row(0).transpose());
-  if (start.obstacle != Obstacle::none) {
+  if (start.outcome != Outcome::good) {
     std::string home;
     const SmallVector values = mechanics::actuators_at(machine, machine.home());
     for (int i = 0; i < values.size(); ++i) {
@@ -99,7 +99,7 @@ std::optional<Motion> followed(Motion drive, const mechanics::Machine& machine, 
     diagnostics.add(place,
                     fmt::format("the actuators cannot be brought from home to their first values: {} of the way there is {}{}",
                                 format_number(100 * start.share, 3) + " %",
-                                start.obstacle == Obstacle::singular ? "a singular surface" : "the edge of reach",
+                                start.outcome == Outcome::singular ? "a singular surface" : "the edge of reach",
                                 start.why.empty() ? "" : " (" + printable(start.why) + ")"),
                     "start nearer to home, where " + home);
     return std::nullopt;
@@ -112,8 +112,8 @@ std::optional<Motion> followed(Motion drive, const mechanics::Machine& machine, 
   out.rate = way.rate;
   out.acceleration = way.acceleration;
   const std::size_t reached = way.reached;
-  if (way.obstacle != Obstacle::none) out.ending = ending_of(way.obstacle, way.ending, way.why);
-  const bool cut = until_singularity && way.obstacle == Obstacle::singular;
+  if (way.outcome != Outcome::good) out.ending = ending_of(way.outcome, way.ending, way.why);
+  const bool cut = until_singularity && way.outcome == Outcome::singular;
   out.until_singularity = until_singularity;
   out.at = between(machine, prescribed, out.time, std::move(way));
   if (cut && !cut_off(out, reached, place, diagnostics)) return std::nullopt;

@@ -218,8 +218,8 @@ std::optional<Motion> forced(const Forces& forces, const Load& load, std::vector
   const auto reached = static_cast<std::size_t>(beyond - times.begin());
   out.work = way.work[reached - 1];
   out.time = std::move(times);
-  const bool allowed = (way.end == mechanics::ForwardEnd::singular && forces.until_singularity) ||
-                       (way.end == mechanics::ForwardEnd::limit && forces.until_limit);
+  const bool allowed = (way.outcome == mechanics::Outcome::singular && forces.until_singularity) ||
+                       (way.outcome == mechanics::Outcome::at_limit && forces.until_limit);
   if (allowed && !cut_off(out, reached, forces.place, diagnostics)) return std::nullopt;
   return out;
 }

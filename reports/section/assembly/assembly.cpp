@@ -266,7 +266,7 @@ Result assembly_section(const Analysis& a, const scenario::SectionRequest& r, co
   auto& blocks = result.section.blocks;
   const mechanics::Machine& m = a.machine();
   const int sample = a.sample_at(r.time);
-  if (a.condition(sample) == Condition::unreachable) {
+  if (a.outcome(sample) == Outcome::unreachable) {
     blocks.push_back(Paragraph{Paragraph::Tone::warning,
                                fmt::format("t = {}: the mechanism cannot be assembled: {}.", show_time(a, sample), a.why(sample))});
     return result;

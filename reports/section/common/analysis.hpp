@@ -6,11 +6,11 @@
 namespace pmreport::section {
 
 using analysis::Analysis;
-using analysis::Condition;
 using analysis::Crossing;
 using analysis::Interval;
 using analysis::LimitBreach;
 using analysis::Measure;
+using analysis::Outcome;
 using analysis::Progress;
 using analysis::Worst;
 using mechanics::Indeterminate;

@@ -99,7 +99,7 @@ std::vector<std::string> singularity_sentences(const Analysis& a) {
         format_number(c.time, 7),
         c.pole ? "There a limb holds the platform whatever its actuator does." : "There the actuators do not hold the platform."));
   for (int k = 0; k < a.samples(); ++k)
-    if (a.condition(k) == Condition::singular)
+    if (a.outcome(k) == Outcome::singular)
       out.push_back(fmt::format("t = {}: the pose is singular (condition number {}); forces have no value there.", show_time(a, k),
                                 format_number(a.column("condition")[static_cast<std::size_t>(k)], 3)));
   return out;

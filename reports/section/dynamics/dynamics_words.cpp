@@ -146,8 +146,8 @@ std::vector<document::Block> equations_of_motion(const Analysis& a, const std::v
   for (const Actuator& x : actuators) reflected.rows.push_back({symbol(x.name)});
   for (const double t : times) {
     const std::string time = format_number(t, 6) + " s";
-    const auto condition = a.condition(a.sample_at(t));
-    if (!probe.go(t) || condition != Condition::good) {
+    const auto outcome = a.outcome(a.sample_at(t));
+    if (!probe.go(t) || outcome != Outcome::good) {
       out.push_back(
           Paragraph{Paragraph::Tone::note, fmt::format("At t = {} the motion has no pose, or a singular one: no equations.", time)});
       continue;

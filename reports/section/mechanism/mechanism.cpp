@@ -1,4 +1,5 @@
 // Section `mechanism`: what it is, its parameters, joints and bodies, and its mobility by count and by rank.
+#include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/model/joint_words.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/section.hpp>

@@ -1,6 +1,7 @@
 // The parts of section `mobility`.
 #pragma once
 
+#include <core/mechanics/mobility/mobility.hpp>
 #include <reports/document/report.hpp>
 #include <reports/section/common/screw_words.hpp>
 

@@ -1,3 +1,4 @@
+#include <core/mechanics/mobility/mobility.hpp>
 #include <core/mechanics/model/joint_words.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/mobility/mobility.hpp>

@@ -10,7 +10,10 @@
 #include <reports/section/common/words.hpp>
 #include <reports/section/reactions/reactions.hpp>
 
+#include <core/mechanics/mobility/mobility.hpp>
 #include <core/mechanics/model/closed_form.hpp>
+#include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/statics/statics.hpp>
 
 #include <fmt/core.h>
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <core/mechanics/model/generic_model.hpp>
 #include <map>
 
 namespace pmreport::section {

@@ -89,7 +89,7 @@ std::string passive_words(const Analysis& a, double length) {
   std::vector<double> inverse(static_cast<std::size_t>(n), nan), constraint = inverse;
   tbb::parallel_for(0, n, [&](int i) {
     const int k = n > 1 ? i * (a.samples() - 1) / (n - 1) : 0;
-    if (a.condition(k) == Condition::unreachable) return;
+    if (a.outcome(k) == Outcome::unreachable) return;
     const mechanics::State s = state_at_rest(a.machine(), a.scenario().motion.value.row(k).transpose());
     if (s.status != PM_OK) return;
     const mechanics::LockedFreedoms f = locked_freedoms(a.machine(), s, a.mobility(), length);

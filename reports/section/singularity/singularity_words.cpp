@@ -18,7 +18,7 @@ AlongMotion along_motion(const Analysis& a, double length) {
   AlongMotion out{std::vector<double>(n, nan), std::vector<double>(n, nan), std::vector<double>(n, nan)};
   const mechanics::Machine& m = a.machine();
   tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
-    if (a.condition(static_cast<int>(k)) == Condition::unreachable) return;
+    if (a.outcome(static_cast<int>(k)) == Outcome::unreachable) return;
     const mechanics::Pose pose = a.pose(static_cast<int>(k));
     double g[36];
     if (pose.status != PM_OK || m.jacobian(PM_VALUE, 1, pose.numbers.data(), g) != PM_OK) return;

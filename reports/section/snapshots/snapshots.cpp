@@ -25,7 +25,7 @@ Stage::Stage(const Analysis& a, scene::Studio& studio) : analysis_(a), studio_(s
   const int n = std::min(framed_poses, a.samples());
   for (int i = 0; i < n; ++i) {
     const int k = n > 1 ? i * (a.samples() - 1) / (n - 1) : 0;
-    if (a.condition(k) == Condition::unreachable) continue;
+    if (a.outcome(k) == Outcome::unreachable) continue;
     const mechanics::Pose pose = a.pose(k);
     scene::include(bounds_, a.machine(), pose);
     path_.push_back(a.machine().origin(pose, a.machine().topology().platform));
@@ -78,7 +78,7 @@ document::Section snapshots_section(const Analysis& a, const scenario::SectionRe
   for (const double t : r.times)
     for (const scenario::View& view : r.views) {
       const int k = a.sample_at(t);
-      if (a.condition(k) == Condition::unreachable)
+      if (a.outcome(k) == Outcome::unreachable)
         s.blocks.push_back(Paragraph{Paragraph::Tone::warning,
                                      fmt::format("t = {}: no picture, the mechanism cannot be assembled: {}.", show_time(a, k), a.why(k))});
       else

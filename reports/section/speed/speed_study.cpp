@@ -4,6 +4,7 @@
 #include <reports/section/common/words.hpp>
 
 #include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/reactions/inverse_dynamics.hpp>
 
 #include <fmt/core.h>
@@ -57,7 +58,7 @@ MatrixXd reactions_at_rest(const Analysis& a) {
   for (int next = 0; next < a.samples();) {
     poses.clear();
     for (; next < a.samples() && static_cast<int>(poses.size()) < most; ++next)
-      if (a.condition(next) == Condition::good) poses.push_back(next);
+      if (a.outcome(next) == Outcome::good) poses.push_back(next);
     const std::size_t count = poses.size();
     if (count == 0) break;
     std::vector<double> jets(3 * dof * count, 0.0), loads(6 * count);

@@ -122,7 +122,7 @@ TEST_CASE("a serial arm has one assembly mode, and a whole turn more of its actu
   Eigen::VectorXd actuators = actuators_at(machine, q);
   CHECK(find_assembly_modes(machine, actuators, q).modes.size() == 1);
   for (int i = 0; i < machine.dof(); ++i)
-    if (machine.topology().actuators[static_cast<std::size_t>(i)].unit == "rad") actuators(i) += 2 * pi;
+    if (machine.topology().actuators[static_cast<std::size_t>(i)].sense() == Sense::rotary) actuators(i) += 2 * pi;
   const AssemblyModes turned = find_assembly_modes(machine, actuators, q);
   REQUIRE(turned.modes.size() == 1);
   CHECK(turned.modes[0].distance < 1e-9);

@@ -38,7 +38,7 @@ TEST_CASE("a hexapod's pose is found again from its limbs, from home and from ne
     const SmallVector home = machine.home();
     for (const SmallVector& guess : {SmallVector(nearby), home}) {
       const ForwardSolution s = solver.solve(l, guess);
-      REQUIRE(s.outcome == ForwardOutcome::converged);
+      REQUIRE(s.outcome == Outcome::good);
       CHECK(s.why.empty());
       CHECK((s.coordinates - q).lpNorm<Eigen::Infinity>() < 1e-12);  // condition about 10, limbs to 1e-14
       CHECK(s.iterations <= 20);
@@ -55,7 +55,7 @@ TEST_CASE("a slider-crank has a pose on either side of its dead centre, and the 
     CAPTURE(guess);
     const SmallVector start = SmallVector::Constant(1, guess);
     const ForwardSolution r = solver.solve(s, start);
-    REQUIRE(r.outcome == ForwardOutcome::converged);
+    REQUIRE(r.outcome == Outcome::good);
     CHECK(determinant(machine, r.coordinates) * determinant(machine, start) > 0);
     CHECK((actuators_at(machine, r.coordinates) - s).norm() < 1e-12);
     const double turns = std::remainder(r.coordinates(0), 2 * std::numbers::pi);
@@ -71,7 +71,7 @@ TEST_CASE("actuator values that no pose has are refused with the nearest approac
   const Machine machine = test::make(test::slider_crank());
   ForwardSolver solver(machine);
   const ForwardSolution r = solver.solve(SmallVector::Constant(1, 2.0), machine.home());  // the slider cannot be 2 m out
-  CHECK(r.outcome == ForwardOutcome::not_converged);
+  CHECK(r.outcome == Outcome::not_converged);
   CHECK_FALSE(r.why.empty());
   CHECK(std::isfinite(r.residual));
   CHECK(r.residual > 1);
@@ -82,7 +82,7 @@ TEST_CASE("a guess that cannot be assembled is refused as such") {
   const Machine machine(test::slider_crank(), {{0}, {0.4}, {0.35}});
   ForwardSolver solver(machine);
   const ForwardSolution r = solver.solve(SmallVector::Constant(1, 0.3), SmallVector::Constant(1, -1.5));
-  CHECK(r.outcome == ForwardOutcome::not_converged);
+  CHECK(r.outcome == Outcome::not_converged);
   CHECK(r.why == "the guess itself cannot be assembled");
 }
 
@@ -100,11 +100,11 @@ TEST_CASE("a sequence is followed from each solution to the next, and stops wher
   REQUIRE(followed.size() == poses.size());
   for (std::size_t k = 0; k < poses.size(); ++k) {
     CAPTURE(k);
-    CHECK(followed[k].outcome == ForwardOutcome::converged);
+    CHECK(followed[k].outcome == Outcome::good);
     CHECK((followed[k].coordinates - poses[k]).lpNorm<Eigen::Infinity>() < 1e-12);
   }
   actuators[7](0) = 5.0;  // one limb alone
   const std::vector<ForwardSolution> stopped = follow_actuators(machine, actuators, machine.home());
   REQUIRE(stopped.size() == 8);
-  CHECK(stopped.back().outcome != ForwardOutcome::converged);
+  CHECK(stopped.back().outcome != Outcome::good);
 }

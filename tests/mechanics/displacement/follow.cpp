@@ -49,7 +49,7 @@ TEST_CASE("a hexapod whose limbs are driven follows with its exact rates and acc
     std::vector<double> times;
     for (int i = 0; i <= 20; ++i) times.push_back(0.05 * i);
     const FollowedMotion followed = follow(machine, drive_of(machine, motion), times, motion.q);
-    REQUIRE(followed.obstacle == Obstacle::none);
+    REQUIRE(followed.outcome == Outcome::good);
     REQUIRE(followed.reached == times.size());
     for (Eigen::Index i = 0; i <= 20; ++i) {
       const double t = times[static_cast<std::size_t>(i)];
@@ -72,7 +72,7 @@ TEST_CASE("a way is followed in steps of its own: two samples far apart meet the
   CHECK((followed.value.row(1).transpose() - motion.at(1)).lpNorm<Eigen::Infinity>() < 1e-12);
   Follower back(machine, drive);
   const Follower::Arrival home = back.go(back.waymark(1, motion.at(1)), 0, 1e-10);
-  CHECK(home.obstacle == Obstacle::none);
+  CHECK(home.outcome == Outcome::good);
   CHECK((home.at.value - motion.q).lpNorm<Eigen::Infinity>() < 1e-12);
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("a slider driven past its dead centre meets a singular surface at its 
   std::vector<double> times;
   for (int i = 0; i <= 100; ++i) times.push_back(0.03 * i);
   const FollowedMotion followed = follow(machine, drive, times, machine.home());
-  CHECK(followed.obstacle == Obstacle::singular);
+  CHECK(followed.outcome == Outcome::singular);
   CHECK(followed.ending == Approx(2).margin(3e-9));  // 1e-9 of the span of 3 s
   REQUIRE(followed.reached == 67);                   // the last at 1.98 s
   CHECK(followed.value.topRows(67).allFinite());
@@ -108,7 +108,7 @@ TEST_CASE("what cannot be assembled is out of reach, and the mechanism's own rea
     *value = from + (last - from) * t, *rate = last - from, *acceleration = 0;
   };
   const FollowedMotion followed = follow(machine, drive, {0, 0.25, 0.5, 0.75, 2}, SmallVector::Constant(1, start));
-  CHECK(followed.obstacle == Obstacle::unreachable);
+  CHECK(followed.outcome == Outcome::unreachable);
   CHECK(followed.why == "the rod is too short");
   CHECK(followed.reached == 4);
   // The travel has a vertical tangent at the edge: a hundred-thousandth of a radian is more than a thousandth of it.
@@ -121,7 +121,7 @@ TEST_CASE("given actuator values are approached from home in a straight line of 
   Eigen::VectorXd q(6);
   q << 0.1, -0.1, 0.7, 0.4, -0.2, 0.2;
   const Approach a = approach(machine, machine.home(), actuators_at(machine, q));
-  CHECK(a.obstacle == Obstacle::none);
+  CHECK(a.outcome == Outcome::good);
   CHECK(a.share == 1);
   CHECK((a.coordinates - q).lpNorm<Eigen::Infinity>() < 1e-12);
 
@@ -129,6 +129,6 @@ TEST_CASE("given actuator values are approached from home in a straight line of 
   const DeadCentre dead = dead_centre(crank);
   const double start = slide_at(crank, crank.home()(0));
   const Approach beyond = approach(crank, crank.home(), SmallVector::Constant(1, start + 2 * (dead.slide - start)));
-  CHECK(beyond.obstacle == Obstacle::singular);
+  CHECK(beyond.outcome == Outcome::singular);
   CHECK(beyond.share == Approx(0.5).margin(1e-9));
 }

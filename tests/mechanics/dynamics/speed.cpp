@@ -3,6 +3,7 @@
 #include <core/mechanics/dynamics/speed.hpp>
 #include <core/mechanics/dynamics/virtual_work.hpp>
 #include <core/mechanics/mobility/mobility.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/reactions/reactions.hpp>
 #include <tests/mechanics/mechanisms.hpp>
 

@@ -179,7 +179,7 @@ TEST_CASE("a stroke ends the motion when the elliptic integral says, even where 
     CAPTURE(lowest);
     const Machine m = pendulum(0, lowest);
     const ForwardMotion motion = forward_dynamics(m, problem({amplitude}, {0}, 5, 501, true));
-    CHECK(motion.end == ForwardEnd::limit);
+    CHECK(motion.outcome == Outcome::at_limit);
     // Where it turns back the time shakes with the root of the angle's error.
     CHECK(motion.ended == Approx(time_to(lowest, amplitude)).margin(lowest < -1.195 ? 1e-5 : 5e-9));
     CHECK_THAT(motion.ending, Contains("s: psi (hinge) reaches the lower end of its stroke, "));
@@ -201,19 +201,19 @@ TEST_CASE("a joint's limit, the edge of reach and a singular surface end the mot
   // Without gravity it turns evenly: theta = 0.2 + 0.7 t.
   const auto run = [](const Machine& m) { return forward_dynamics(m, problem({0.2}, {0.7}, 10, 11)); };
   const ForwardMotion joint = run(pendulum(0, -10, 1));
-  CHECK(joint.end == ForwardEnd::limit);
+  CHECK(joint.outcome == Outcome::at_limit);
   CHECK(joint.ended == Approx(0.8 / 0.7).margin(2e-9));
   CHECK(joint.ending == "ends at t = 1.14286 s: joint O reaches its limit, 57.2958°");
 
   const ForwardMotion edge = run(pendulum(0, -10, 10, 1.3));
-  CHECK(edge.end == ForwardEnd::unreachable);
+  CHECK(edge.outcome == Outcome::unreachable);
   CHECK(edge.ended == Approx(1.1 / 0.7).margin(2e-9));
   CHECK(edge.ending == "runs out of reach at t = 1.57143 s: beyond it the mechanism cannot be assembled (a wall is in the way)");
   CHECK(edge.value.topRows(2).allFinite());
   CHECK(std::isnan(edge.value(2, 0)));
 
   const ForwardMotion dead = run(pendulum(1));
-  CHECK(dead.end == ForwardEnd::singular);
+  CHECK(dead.outcome == Outcome::singular);
   CHECK(dead.ended == Approx((0.5 * pi - 0.2) / 0.7).margin(5e-9));  // det G is a billionth of that at home 1e-9 rad before
   CHECK(dead.ending == "meets a singular surface at t = 1.95828 s: there the actuators do not hold the platform");
 }
@@ -247,7 +247,7 @@ TEST_CASE("a motion that cannot go on ends with a reason instead of hanging") {
   ForwardProblem p = problem({0, 0}, {0, 0}, 2, 21);
   p.actuator_forces = [](double t, const std::vector<Scalar>&, double* f) { f[0] = std::sqrt(1 - t), f[1] = 0; };
   const ForwardMotion unknown = forward_dynamics(m, p);
-  CHECK(unknown.end == ForwardEnd::failed);
+  CHECK(unknown.outcome == Outcome::failed);
   CHECK(unknown.ended == Approx(1).margin(1e-9));
   CHECK(unknown.ending == "ends at t = 1 s: the force of drive has no finite value");
 
@@ -260,7 +260,7 @@ TEST_CASE("a motion that cannot go on ends with a reason instead of hanging") {
   p.start_rate(0) = 0.1;
   p.actuator_forces = [](double, const std::vector<Scalar>& l, double* f) { f[0] = l[0].rate > 0 ? -7.0 : 7.0, f[1] = 0; };
   const ForwardMotion chatter = forward_dynamics(m, p);
-  CHECK(chatter.end == ForwardEnd::failed);
+  CHECK(chatter.outcome == Outcome::failed);
   CHECK_THAT(chatter.ending, Contains("forces jump to and fro there"));
   CHECK(chatter.ended == Approx(0.1).margin(2e-4));  // it is told when 1/10000 of the motion takes too long
 

@@ -1,4 +1,6 @@
 #include <core/mechanics/mobility/mobility.hpp>
+#include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/model/random_poses.hpp>
 
 #include <tests/mechanics/mechanisms.hpp>
 

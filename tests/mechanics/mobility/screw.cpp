@@ -80,22 +80,6 @@ TEST_CASE("points on the axis of a twist move along it, by the pitch for every r
   }
 }
 
-TEST_CASE("null space and column space of a matrix of known rank") {
-  Dice dice;
-  for (int r = 1; r <= 5; ++r) {
-    const MatrixXd m = dice.matrix(9, r) * dice.matrix(r, 7), null = null_space(m), columns = column_space(m);
-    CAPTURE(r);
-    CHECK(rank(m) == r);
-    REQUIRE(null.cols() == 7 - r);
-    REQUIRE(columns.cols() == r);
-    CHECK((m * null).norm() < rounding * m.norm());
-    CHECK((null.transpose() * null - MatrixXd::Identity(7 - r, 7 - r)).norm() < rounding);
-    CHECK((m - columns * columns.transpose() * m).norm() < rounding * m.norm());
-  }
-  CHECK(null_space(MatrixXd(0, 3)).isIdentity());
-  CHECK(column_space(MatrixXd(6, 0)).cols() == 0);
-}
-
 TEST_CASE("a plane is spanned by the base axes that lie in it") {
   Dice dice;
   const Vector3d slanted = Vector3d(0.6, 0.8, 0);

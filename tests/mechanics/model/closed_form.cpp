@@ -47,30 +47,6 @@ TEST_CASE("forward velocity and acceleration undo the inverse") {
   }
 }
 
-TEST_CASE("actuator forces do the work of the load, with its sign turned") {
-  std::mt19937_64 random(33);
-  for (const pm_mechanism* table : all) {
-    const Machine machine = test::make(*table);
-    const test::Motion motion = test::random_motion(machine, random);
-    INFO(table->name << ", q = " << motion.q.transpose());
-    const State s = motion.state(machine);
-    const Vector6d load = (Vector6d() << 3, -5, 7, 0.2, 0.4, -0.6).finished();
-    const Vector6d forces = closed_statics(closed_form(machine, s, 1.0), load);
-    double power = load.dot(s.bodies[static_cast<std::size_t>(machine.topology().platform)].twist());
-    for (std::size_t i = 0; i < s.actuators.size(); ++i) power += forces(static_cast<int>(i)) * s.actuators[i].rate;
-    CHECK(std::abs(power) < rounding * load.norm());
-  }
-}
-
-TEST_CASE("a weight on six limbs pushes them: positive forces extend") {
-  const Machine machine = test::make_hexapod(test::BaseJoint::ball);
-  const Eigen::VectorXd q = machine.home(), zero = Eigen::VectorXd::Zero(6);
-  State s;
-  evaluate(machine, q.data(), zero.data(), zero.data(), s);
-  const Vector6d forces = closed_statics(closed_form(machine, s, 1.0), (Vector6d() << 0, 0, -600, 0, 0, 0).finished());
-  for (int i = 0; i < 6; ++i) CHECK(forces(i) == Approx(100 / s.bodies[2].rotation(2, 2)).epsilon(rounding));
-}
-
 TEST_CASE("the condition number does not depend on the unit of length, and is infinite when G is singular") {
   // The arm at d: rows theta = w_z, d, phi, and v_z, w_y are unit vectors; force_y reads v_y - d w_z. With moments in the characteristic
   // length L the pair (w_z, v_y - d w_z) has the matrix [1 0; -d/L 1], whose condition number is known in closed form.

@@ -1,6 +1,7 @@
 #include <core/mechanics/reactions/inverse_dynamics.hpp>
 
-#include <core/mechanics/reactions/inverse_dynamics_kernel.hpp>
+#include <core/mechanics/reactions/by_limb/kernel.hpp>
+#include <core/mechanics/reactions/by_limb/planner.hpp>
 #include <tests/mechanics/mechanisms.hpp>
 #include <tests/mechanics/motions.hpp>
 #include <tests/mechanics/slider_crank.hpp>

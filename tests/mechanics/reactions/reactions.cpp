@@ -2,6 +2,7 @@
 #include <core/mechanics/reactions/reactions.hpp>
 
 #include <core/mechanics/dynamics/virtual_work.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <tests/mechanics/massive.hpp>
 
 #include <Eigen/Geometry>

@@ -1,5 +1,7 @@
 // Singularities whose place and type are known from geometry: a knee at dead centre, a slider-crank, a flat parallelogram, a hexapod
 // turned by a quarter.
+#include <core/mechanics/mobility/mobility_count.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/singularity/singularity.hpp>
 
 #include <pmreport/mechanism.hpp>

@@ -32,7 +32,7 @@ const std::string near = "s_rate = \"30 mm/s * cos(t/1 s)\"\n", far = "s_rate = 
 
 TEST_CASE("driven actuators are proved by inverse displacement: values, rates and accelerations as prescribed") {
   const Run r(near);
-  REQUIRE(r.analysis.count(section::Condition::good) == 21);
+  REQUIRE(r.analysis.count(section::Outcome::good) == 21);
   const auto evidence = section::prescribed_evidence(r.analysis);
   REQUIRE(evidence.size() == 3);
   for (const document::Evidence& e : evidence) {
@@ -60,7 +60,7 @@ TEST_CASE("the proof of driven actuators can fail") {
 
 TEST_CASE("samples beyond a singular surface have no pose, and the demand of reach fails with the time") {
   const Run r(far);
-  const int lost = r.analysis.count(section::Condition::unreachable);
+  const int lost = r.analysis.count(section::Outcome::unreachable);
   CHECK(lost > 10);
   CHECK(std::isnan(r.analysis.column("s").back()));
   CHECK(std::isfinite(r.analysis.column("s").front()));

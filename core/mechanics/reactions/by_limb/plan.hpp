@@ -1,11 +1,12 @@
 // How the inverse dynamics of one mechanism is reckoned, settled once: which joints carry the tree of each group of bodies, which are cut,
-// which equations and unknowns that leaves. See inverse_dynamics.hpp for the idea, inverse_dynamics_kernel.cpp for what is done with it.
+// which equations and unknowns that leaves. See inverse_dynamics.hpp for the idea, kernel.cpp for what is done with it.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <pmreport/topology.hpp>
 
 #include <array>
-#include <optional>
+#include <cstddef>
+#include <vector>
 
 namespace pmreport::mechanics {
 
@@ -77,9 +78,5 @@ struct DynamicsPlan {
   double length = 1;                          // characteristic length [m]: moments count per length
   int stresses() const { return open - 6; }
 };
-
-// None where the structure does not fit: an actuator on a joint that must be cut, bodies that hang on the platform alone, idle freedoms
-// that are not the declared spins of slender bodies, too few reactions to hold the platform.
-std::optional<DynamicsPlan> plan_of(const Machine& machine);
 
 }  // namespace pmreport::mechanics

@@ -1,7 +1,10 @@
-#include <core/mechanics/reactions/inverse_dynamics_kernel.hpp>
+// The inverse dynamics of one pack of poses, by the plan.
+#pragma once
 
-#include <core/mechanics/reactions/inverse_dynamics_factor.hpp>
-#include <core/mechanics/reactions/inverse_dynamics_geometry.hpp>
+#include <core/linear/tolerance.hpp>
+#include <core/mechanics/reactions/by_limb/factor.hpp>
+#include <core/mechanics/reactions/by_limb/geometry.hpp>
+#include <core/mechanics/reactions/by_limb/kernel.hpp>
 
 #include <limits>
 
@@ -10,24 +13,18 @@
 
 namespace pmreport::mechanics {
 
-namespace {
-
-using Plan = DynamicsPlan;
-using Freedom = Plan::Freedom;
-
-constexpr double least_regularity = 1e-9;  // the header's
-constexpr double carried = 1e-7;           // as in indeterminate_components
-
-// One pack of poses.
+// Keeps nothing: everything that it writes is on the desk, or in the batch.
 template <class T>
-class Solver : PackGeometry<T> {
+class LimbSolver : PackGeometry<T> {
   using Geometry = PackGeometry<T>;
+  using Plan = DynamicsPlan;
+  using Freedom = Plan::Freedom;
   using Geometry::number, Geometry::vector, Geometry::column, Geometry::second_of, Geometry::direction;
   using Geometry::p_, Geometry::d_, Geometry::origin_;
   using Geometry::place_cut, Geometry::of_unknowns, Geometry::about_reference, Geometry::parts;
 
  public:
-  PMREPORT_INLINE Solver(const Plan& plan, const DynamicsBatch& batch, const Desk<T>& desk, std::size_t pose)
+  PMREPORT_INLINE LimbSolver(const Plan& plan, const DynamicsBatch& batch, const Desk<T>& desk, std::size_t pose)
       : Geometry(plan, desk, batch.placement + pose, batch.stride),
         in_(batch),
         pose_(pose),
@@ -66,20 +63,21 @@ class Solver : PackGeometry<T> {
   }
 
  private:
-  // What must act on each body: the rate of its momentum, less its weight and the load.
+  // D_b, what must act on each body: the rate of its momentum, less its weight and the load. Equations (1) to (3) are those of
+  // inverse_dynamics.hpp.
   //
-  // With the centre of mass at o + R c, the force is m (o'' + R'' c - g). Of the moment about the centre of mass, the sum over all points
-  // b of the body of (R b) x (R'' b) dm, nothing enters but the second moments S = sum of b b^T dm: with r_j the columns of R it is the
-  // sum over j, k of S_jk r_j x r_k''. That equals I e + w x I w, and asks for no rates. A slender body does not spin, and its r_1, r_2
-  // drop out: (I_1 n) x n'', I_1 = S_11 + S_33.
+  // With the centre of mass C at p_B + R_B p_BC_B, the force is m (o'' + R'' c - g). Of the moment about the centre of mass, the sum over
+  // all points b of the body of (R b) x (R'' b) dm, nothing enters but the second moments S = sum of b b^T dm: with r_j the columns of R it
+  // is the sum over j, k of S_jk r_j x r_k''. That equals I e + w x I w, and asks for no rates. A slender body does not spin, and its r_1,
+  // r_2 drop out: (I_1 n) x n'', I_1 = S_11 + S_33.
   PMREPORT_INLINE void demand() {
     for (int b = 0; b < p_.bodies; ++b) d_.beyond[b] = {zero<T>(), zero<T>()};
     const Triple<T> gravity{T(in_.gravity[0]), T(in_.gravity[1]), T(in_.gravity[2])};
     for (const Plan::Mass& m : p_.masses) {
-      Triple<T> arm = vector(m.at) - origin_, acceleration = vector(m.at, 2) - gravity, spin = zero<T>();
+      Triple<T> p_OC = vector(m.at) - origin_, acceleration = vector(m.at, 2) - gravity, spin = zero<T>();
       if (m.slender) {
         const Triple<T> n = vector(m.at + 3), n_second = vector(m.at + 3, 2);
-        arm += n * m.centre.z();
+        p_OC += n * m.centre.z();
         acceleration += n_second * m.centre.z();
         spin = cross(n, n_second) * (m.moments(0, 0) + m.moments(2, 2));
       } else {
@@ -90,7 +88,7 @@ class Solver : PackGeometry<T> {
           if (!m.column[static_cast<std::size_t>(j)]) continue;
           const Triple<T> r = column(m.at, j);
           if (const double c = m.centre(j); c != 0) {
-            arm += r * c;
+            p_OC += r * c;
             acceleration += second[j] * c;
           }
           Triple<T> weighted = zero<T>();
@@ -101,7 +99,7 @@ class Solver : PackGeometry<T> {
         }
       }
       const Triple<T> force = acceleration * m.mass;
-      d_.beyond[m.body] = {force, cross(arm, force) + spin};
+      d_.beyond[m.body] = {force, cross(p_OC, force) + spin};
     }
     Wrench<T>& platform = d_.beyond[p_.platform];
     const double* load = in_.loads + pose_;
@@ -110,8 +108,8 @@ class Solver : PackGeometry<T> {
     platform.moment -= {T::load(load + 3 * s), T::load(load + 4 * s), T::load(load + 5 * s)};
   }
 
-  // C x = d of a group. For each passive freedom of a tree joint at c: the wrenches of the cuts beyond do the same work on it as what the
-  // bodies beyond demand. On a rotation about s a force f at r works by s x (r - c) . f, a couple m by s . m; both sides per length.
+  // (2) of a group, C x = d. For each passive freedom of a tree joint at c: the wrenches of the cuts beyond do the same work on it as what
+  // the bodies beyond demand. On a rotation about s a force f at r works by s x (r - c) . f, a couple m by s . m; both sides per length.
   PMREPORT_INLINE void assemble(const Plan::Group& g, Triple<T>* centres) {
     for (int c = g.first_cut; c < g.end_cut; ++c) place_cut(c);
     for (std::size_t i = g.trees.size(); i-- > 0;) {
@@ -163,7 +161,7 @@ class Solver : PackGeometry<T> {
     return sum;
   }
 
-  // What the groups left open meets at the platform: 6 equations. What these leave open is self-stress.
+  // (3): what the groups left open meets at the platform, 6 equations. What these leave open is self-stress.
   PMREPORT_INLINE void balance_platform() {
     const double per_length = 1 / p_.length;
     const auto put = [&](const Wrench<T>& w, T* to, int step) {
@@ -199,7 +197,7 @@ class Solver : PackGeometry<T> {
     const T none(Limits::quiet_NaN()), nothing(0.0), ratio = least_ / largest_;
     const T below_zero(-Limits::denorm_min());  // in reach: at zero or above, and a number
     const T regularity = where_less(below_zero, number(0), where_less(nothing, ratio, ratio, nothing), none);
-    given_ = where_less(regularity, T(least_regularity), none, regularity * 0.0);
+    given_ = where_less(regularity, T(linear::rank_tolerance), none, regularity * 0.0);
     regularity.store(in_.regularity + pose_, lanes_);
   }
   PMREPORT_INLINE void write(const T& x, double* to, std::size_t i) const { (x + given_).store(to + i * in_.count + pose_, lanes_); }
@@ -225,8 +223,8 @@ class Solver : PackGeometry<T> {
     to[3] = about_centre.moment.x * per_length, to[4] = about_centre.moment.y * per_length, to[5] = about_centre.moment.z * per_length;
   }
 
-  // The wrench through each joint of the trees: what the bodies beyond demand, where `loaded`, less the wrenches of the cuts beyond. Along
-  // its freedoms stands the actuator's force, or nothing but rounding.
+  // (1): the wrench through each joint of the trees, what the bodies beyond demand, where `loaded`, less the wrenches of the cuts beyond.
+  // Along its freedoms stands the actuator's force, or nothing but rounding.
   PMREPORT_INLINE void through_trees(bool loaded, T* wrenches) {
     const bool all = in_.joints != nullptr;
     const Triple<T>* centre = d_.tree_centre;
@@ -317,7 +315,7 @@ class Solver : PackGeometry<T> {
       T* least = d_.shift + s;  // no longer needed
       *least = T(0.0);
       for (int i = 0; i < n; ++i) *least = larger(*least, magnitude(d_.wrenches[(1 + s) * n + i]));
-      *least = *least * carried;
+      *least = *least * linear::carried_share;
     }
     for (int j = 0; j < p_.joints; ++j) {
       const Plan::Frame& f = p_.frames[static_cast<std::size_t>(j)];
@@ -342,60 +340,5 @@ class Solver : PackGeometry<T> {
   std::size_t pose_, lanes_;
   T least_ = T(std::numeric_limits<double>::infinity()), largest_ = T(0.0), given_ = T(0.0);
 };
-
-template <class T>
-PMREPORT_INLINE void solve_all(const Plan& plan, const DynamicsBatch& batch, double* memory) {
-  const Desk<T> desk(plan, memory);
-  for (std::size_t k = 0; k < batch.written; k += T::width) Solver<T>(plan, batch, desk, k).solve();
-}
-
-[[gnu::flatten]] void solve_single(const Plan& plan, const DynamicsBatch& batch, double* memory) {
-  solve_all<Pack<1>>(plan, batch, memory);
-}
-
-[[gnu::flatten]] void solve_plain(const Plan& plan, const DynamicsBatch& batch, double* memory) { solve_all<Pack<2>>(plan, batch, memory); }
-
-#if defined(__x86_64__)
-[[gnu::flatten, gnu::target("arch=x86-64-v3")]] void solve_v3(const Plan& plan, const DynamicsBatch& batch, double* memory) {
-  solve_all<Pack<4>>(plan, batch, memory);
-}
-[[gnu::flatten, gnu::target("arch=x86-64-v4")]] void solve_v4(const Plan& plan, const DynamicsBatch& batch, double* memory) {
-  solve_all<Pack<8>>(plan, batch, memory);
-}
-#endif
-
-}  // namespace
-
-DynamicsKernel DynamicsKernel::single() { return {1, solve_single}; }
-
-std::vector<DynamicsKernel> DynamicsKernel::all() {
-  std::vector<DynamicsKernel> out{single(), {2, solve_plain}};
-#if defined(__x86_64__)
-  // By features: Clang 14 cannot be asked for levels.
-  const bool v3 =
-      __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
-  const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
-                  __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-  if (v3) out.push_back({4, solve_v3});
-  if (v4) out.push_back({8, solve_v4});
-#endif
-  return out;
-}
-
-DynamicsKernel DynamicsKernel::widest() { return all().back(); }
-
-std::size_t DynamicsKernel::memory(const DynamicsPlan& plan) const { return Desk<Pack<1>>(plan, nullptr).numbers * width_; }
-
-std::vector<double> equation_sizes(const DynamicsPlan& plan, const double* placement) {
-  std::vector<double> memory(Desk<Pack<1>>(plan, nullptr).numbers), out;
-  int equations = 0;
-  for (const Plan::Group& g : plan.groups) equations += g.equations;
-  out.resize(static_cast<std::size_t>(equations));
-  DynamicsBatch batch;
-  batch.placement = placement;
-  const Desk<Pack<1>> desk(plan, memory.data());
-  Solver<Pack<1>>(plan, batch, desk, 0).equations(out.data());
-  return out;
-}
 
 }  // namespace pmreport::mechanics

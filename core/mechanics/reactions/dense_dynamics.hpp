@@ -1,7 +1,7 @@
 // Motions of mechanisms whose structure the limb-by-limb way does not fit: pose by pose over all bodies.
 #pragma once
 
-#include <core/mechanics/reactions/inverse_dynamics.hpp>
+#include <core/mechanics/reactions/motion_reactions.hpp>
 
 namespace pmreport::mechanics {
 

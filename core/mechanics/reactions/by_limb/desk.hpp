@@ -1,8 +1,8 @@
 // Where the numbers of a pack of poses stand while its forces are reckoned: one piece of memory, nothing of it allocated at a pose.
 #pragma once
 
-#include <core/mechanics/reactions/inverse_dynamics_pack.hpp>
-#include <core/mechanics/reactions/inverse_dynamics_plan.hpp>
+#include <core/mechanics/reactions/by_limb/pack.hpp>
+#include <core/mechanics/reactions/by_limb/plan.hpp>
 
 #include <algorithm>
 
@@ -25,8 +25,8 @@ PMREPORT_INLINE Wrench<T> operator*(const Wrench<T>& a, double s) {
 // Where the numbers of one pack stand in the memory given. Made without memory, it tells how much is needed.
 template <class T>
 struct Desk {
-  Triple<T>*cut_centre, *cut_axes, *tree_centre;  // of joints, from the platform's reference point; two axes a cut
-  Wrench<T>*beyond, *cut_wrench;                  // about the platform's reference point: by body, by cut
+  Triple<T>*cut_centre, *cut_axes, *tree_centre;  // p_OC of joints, from the platform's reference point; two axes a cut
+  Wrench<T>*beyond, *cut_wrench;                  // about O: sum of D_b by body, X_c by cut (inverse_dynamics.hpp)
   T *matrix, *diagonal, *factor, *right;          // of the group at hand
   T *x, *shift, *vectors;                         // unknowns of all groups; what a stress adds; what each group's equations leave open
   T *platform, *platform_diagonal, *platform_factor, *platform_right, *share, *stress_shares;

@@ -1,8 +1,10 @@
-// Wide systems C x = d of full row rank, by Householder reflections from the right: C H_1 ... H_m = [L 0]. The least-norm solution and an
-// orthonormal basis of what the equations leave open come without pivots, hence without a branch: all lanes do the same.
+// Wide systems C x = d of full row rank, by Householder reflections from the right,
+//     C H_1 ... H_m = [L 0],   H_i = 1 - f_i v_i v_i^T,   f_i = 2 / v_i^2               (1)
+// With y = (L^-1 d; 0), x = H_1 ... H_m y is the least-norm solution, and H_1 ... H_m applied to the last n - m unit vectors is an
+// orthonormal basis of what the equations leave open. All of it comes without pivots, hence without a branch: all lanes do the same.
 #pragma once
 
-#include <core/mechanics/reactions/inverse_dynamics_pack.hpp>
+#include <core/mechanics/reactions/by_limb/pack.hpp>
 
 namespace pmreport::mechanics {
 

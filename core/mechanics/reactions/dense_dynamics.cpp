@@ -1,8 +1,8 @@
-#include <core/mechanics/reactions/inverse_dynamics_dense.hpp>
+#include <core/mechanics/reactions/dense_dynamics.hpp>
 
-#include <core/mechanics/mobility/screw.hpp>
+#include <core/linear/subspace.hpp>
+#include <core/mechanics/model/constraint_scale.hpp>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <limits>
 
@@ -20,11 +20,10 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 double regularity_of(const GenericModel& model, int idle, double length) {
   MatrixXd system(model.constraints.rows() + model.actuation.rows(), model.constraints.cols());
   system << model.constraints, model.actuation;
-  for (Index at = 3; at < system.cols(); at += 6) system.middleCols<3>(at) /= length;
-  system.rowwise().normalize();
+  system = unit_rows(std::move(system), length);
   const Index last = system.cols() - idle - 1;
   if (last >= system.rows()) return 0;
-  const VectorXd pivots = Eigen::ColPivHouseholderQR<MatrixXd>(system).matrixQR().diagonal().cwiseAbs();
+  const VectorXd pivots = linear::pivots(system);
   return pivots(last) / pivots(0);
 }
 
@@ -39,7 +38,7 @@ VectorXd scaled(const std::vector<Vector6d>& joints, double length) {
 MatrixXd orthonormal(const std::vector<std::vector<Vector6d>>& stresses, double length) {
   MatrixXd all(6 * static_cast<Index>(stresses[0].size()), static_cast<Index>(stresses.size()));
   for (Index s = 0; s < all.cols(); ++s) all.col(s) = scaled(stresses[static_cast<std::size_t>(s)], length);
-  return Eigen::HouseholderQR<MatrixXd>(all).householderQ() * MatrixXd::Identity(all.rows(), all.cols());
+  return linear::orthonormalised(all);
 }
 
 }  // namespace
@@ -64,7 +63,7 @@ JointReactions DenseDynamics::at_pose(std::size_t k, std::size_t count, const do
   const GenericModel model = generic_model(machine_, state_);
   regularity = regularity_of(model, machine_.topology().idle, length_);
   out = dense_reactions(machine_, state_, model, frames_, loading, length_);
-  out.singular = out.singular || regularity < rank_tolerance;
+  out.singular = out.singular || regularity < linear::rank_tolerance;
   return out;
 }
 

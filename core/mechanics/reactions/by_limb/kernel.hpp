@@ -1,8 +1,10 @@
 // The reckoning itself, for as many poses at once as the processor has lanes for.
 #pragma once
 
-#include <core/mechanics/reactions/inverse_dynamics_plan.hpp>
+#include <core/mechanics/reactions/by_limb/plan.hpp>
 #include <core/mechanics/reactions/reactions.hpp>
+
+#include <vector>
 
 namespace pmreport::mechanics {
 

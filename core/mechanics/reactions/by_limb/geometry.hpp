@@ -1,11 +1,12 @@
 // Where the joints of a pack of poses are, and in what directions they carry forces or let go.
 #pragma once
 
-#include <core/mechanics/reactions/inverse_dynamics_desk.hpp>
+#include <core/mechanics/reactions/by_limb/desk.hpp>
 
 namespace pmreport::mechanics {
 
-// Reads a placement of order PM_JET. Points count from the platform's reference point, and moments are about it, unless said otherwise.
+// Reads a placement of order PM_JET. Points count from the platform's reference point O, as p_OC of a joint's centre C, and moments are
+// about it, unless said otherwise.
 template <class T>
 class PackGeometry {
  public:
@@ -53,8 +54,8 @@ class PackGeometry {
     };
     return {sum(cut.forces, x), sum(cut.couples, x + cut.forces) * p_.length};
   }
-  PMREPORT_INLINE Wrench<T> about_reference(const Wrench<T>& w, const Triple<T>& centre) const {
-    return {w.force, w.moment + cross(centre, w.force)};
+  PMREPORT_INLINE Wrench<T> about_reference(const Wrench<T>& w, const Triple<T>& p_OC) const {
+    return {w.force, w.moment + cross(p_OC, w.force)};
   }
   // Coefficients of `count` forces or couples of a cut: the parts of v along them.
   PMREPORT_INLINE static void parts(int count, const Triple<T>* axes, const Triple<T>& v, double sign, T* out) {
@@ -85,7 +86,7 @@ class PackGeometry {
  protected:
   const DynamicsPlan& p_;
   const Desk<T>& d_;
-  Triple<T> origin_;  // the reference point
+  Triple<T> origin_;  // p_O
 
  private:
   const double* placement_;

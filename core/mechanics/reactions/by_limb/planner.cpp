@@ -1,8 +1,10 @@
-#include <core/mechanics/reactions/inverse_dynamics_plan.hpp>
+#include <core/mechanics/reactions/by_limb/planner.hpp>
 
-#include <core/mechanics/mobility/mobility.hpp>
+#include <core/linear/tolerance.hpp>
 #include <core/mechanics/model/generic_model.hpp>
-#include <core/mechanics/reactions/inverse_dynamics_kernel.hpp>
+#include <core/mechanics/model/joint_frame.hpp>
+#include <core/mechanics/model/random_poses.hpp>
+#include <core/mechanics/reactions/by_limb/kernel.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -186,7 +188,7 @@ class Planner {
         for (int i = 0; i < p_.actuators; ++i) {
           const Actuator& a = t_.actuators[static_cast<std::size_t>(i)];
           if (a.joint != t.joint) continue;
-          int& drives = a.unit == "m" ? t.push : t.turn;
+          int& drives = a.sense() == Sense::linear ? t.push : t.turn;
           if (drives >= 0) return false;
           drives = i;
         }
@@ -243,7 +245,6 @@ class Planner {
 
   // Drops the equations that vanish wherever the mechanism is tried: idle spins.
   bool drop_idle() {
-    constexpr double vanishes = 1e-9;  // far above rounding (1e-15), far below a lever that works
     std::vector<double> largest;
     at_poses([&](const double* placement) {
       const std::vector<double> sizes = equation_sizes(p_, placement);
@@ -254,13 +255,13 @@ class Planner {
     int dropped = 0;
     auto size = largest.begin();
     for (Plan::Group& g : p_.groups)
-      for (Plan::Tree& t : g.trees) dropped += static_cast<int>(std::erase_if(t.passive, [&](Freedom) { return *size++ < vanishes; }));
+      for (Plan::Tree& t : g.trees)
+        dropped += static_cast<int>(std::erase_if(t.passive, [&](Freedom) { return *size++ < linear::rank_tolerance; }));
     return dropped == t_.idle;
   }
 
   // Whether the equations have full rank, at one pose at least.
   bool holds_somewhere() const {
-    constexpr double full_rank = 1e-6;
     const DynamicsKernel kernel = DynamicsKernel::single();
     std::vector<double> memory(kernel.memory(p_)), forces(static_cast<std::size_t>(p_.actuators));
     const double loads[6] = {};
@@ -272,7 +273,7 @@ class Planner {
     return at_poses([&](const double* placement) {
       batch.placement = placement;
       kernel.solve(p_, batch, memory.data());
-      return regularity > full_rank;
+      return regularity > linear::part_tolerance;
     });
   }
 

@@ -1,0 +1,53 @@
+// Reading what comes through the plain C of plugin.h. For the files that do, and nobody else.
+#pragma once
+
+#include <pmreport/plugin.h>
+
+#include <algorithm>
+#include <array>
+#include <core/mechanics/model/machine.hpp>
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace pmreport::mechanics::contract {
+
+// Item i of a list, whose items may be longer (a newer plugin) than ours.
+template <class T>
+T item(const pm_list& list, std::size_t i) {
+  T out{};
+  std::memcpy(&out, static_cast<const char*>(list.items) + i * list.stride, std::min(list.stride, sizeof(T)));
+  return out;
+}
+template <class T, class F>
+auto map(const pm_list& list, F&& f) {
+  std::vector<decltype(f(T{}))> out;
+  for (std::size_t i = 0; i < list.count; ++i) out.push_back(f(item<T>(list, i)));
+  return out;
+}
+
+inline std::string text_or_empty(const char* s) { return s != nullptr ? s : ""; }
+
+// Calls a function of the contract with room for a sentence.
+template <class F>
+pm_status call(std::string& sentence, F&& f) {
+  std::array<char, 512> buffer{};
+  pm_text text{buffer.data(), buffer.size()};
+  const pm_status status = f(&text);
+  buffer.back() = '\0';
+  if (status != PM_OK) sentence = buffer.data();
+  return status;
+}
+
+// What a plugin must keep: a broken one is told by a sentence.
+inline void demand(bool condition, const std::string& sentence) {
+  if (!condition) throw MechanismError(PM_FAILED, sentence);
+}
+
+// Older plugins end before this member.
+inline const pm_closed_forms* closed_forms_of(const pm_mechanism& table) {
+  return table.struct_size >= offsetof(pm_mechanism, closed_forms) + sizeof(table.closed_forms) ? table.closed_forms : nullptr;
+}
+
+}  // namespace pmreport::mechanics::contract

@@ -1,0 +1,90 @@
+#include <core/mechanics/model/topology_check.hpp>
+
+#include <core/mechanics/model/contract.hpp>
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+namespace pmreport::mechanics {
+
+using contract::demand;
+
+namespace {
+
+// Every body hangs on the base by a chain of joints.
+void check_connected(const Topology& t) {
+  std::vector<bool> held(t.bodies.size(), false);
+  held[0] = true;
+  for (std::size_t pass = 1; pass < held.size(); ++pass)
+    for (const Joint& j : t.joints) {
+      const auto a = static_cast<std::size_t>(j.a), b = static_cast<std::size_t>(j.b);
+      held[a] = held[b] = held[a] || held[b];
+    }
+  std::string loose;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (!held[i]) loose += (loose.empty() ? "" : ", ") + t.bodies[i].name;
+  demand(loose.empty(), "no chain of joints leads from the base to: " + loose + "; is a joint, or a limb, forgotten?");
+}
+
+}  // namespace
+
+void check_topology(const Topology& t, int dof) {
+  const auto count = [](const auto& list) { return static_cast<int>(list.size()); };
+  demand(count(t.coordinates) == dof,
+         fmt::format("declares {} degrees of freedom, but {} independent coordinates; Mechanism<{}> and topology() must say the same", dof,
+                     count(t.coordinates), dof));
+  demand(count(t.actuators) == dof,
+         fmt::format("declares {} degrees of freedom, but {} actuators; is a limb forgotten?", dof, count(t.actuators)));
+  demand(count(t.constraints) == 6 - dof,
+         fmt::format("declares {} constraint wrenches, expected {} (6 less the degrees of freedom)", count(t.constraints), 6 - dof));
+  demand(t.platform > 0 && t.platform < count(t.bodies),
+         fmt::format("names body {} as the platform, but has bodies 1 to {}", t.platform, count(t.bodies) - 1));
+  demand(t.idle >= 0, "declares a negative number of idle freedoms");
+  for (const Coordinate& c : t.coordinates) {
+    demand(c.unit == "m" || c.unit == "rad", fmt::format("coordinate {}: unit \"{}\", expected \"m\" or \"rad\"", c.name, c.unit));
+    demand(c.box.min <= c.home && c.home <= c.box.max, fmt::format("coordinate {}: home lies outside its own box", c.name));
+  }
+  for (const Joint& j : t.joints) {
+    const bool known = static_cast<int>(j.kind) >= 0 && static_cast<int>(j.kind) <= PM_CYLINDRICAL;
+    demand(known, fmt::format("joint {}: unknown kind {}", j.name, static_cast<int>(j.kind)));
+    for (const int body : {j.a, j.b})
+      demand(body >= 0 && body < count(t.bodies),
+             fmt::format("joint {}: body {} does not exist (0 to {})", j.name, body, count(t.bodies) - 1));
+    demand(j.a != j.b, fmt::format("joint {} connects body {} with itself", j.name, j.a));
+    for (const Range& r : j.limits)
+      demand(std::isfinite(r.min) && std::isfinite(r.max) && r.min <= r.max,
+             fmt::format("joint {}: its limits are not a finite range", j.name));
+    if (j.kind == JointKind::spherical)
+      demand(j.stud == j.a || j.stud == j.b, fmt::format("joint {}: its stud is body {}, which it does not connect", j.name, j.stud));
+  }
+  check_connected(t);
+  for (const Actuator& a : t.actuators) {
+    demand(a.joint >= 0 && a.joint < count(t.joints), fmt::format("actuator {}: joint {} does not exist", a.name, a.joint));
+    demand(a.unit == "m" || a.unit == "rad", fmt::format("actuator {}: unit \"{}\", expected \"m\" or \"rad\"", a.name, a.unit));
+    const JointKind kind = t.joints[static_cast<std::size_t>(a.joint)].kind;
+    demand(a.sense() == Sense::linear ? kind == JointKind::prismatic || kind == JointKind::cylindrical
+                                      : kind != JointKind::prismatic && kind != JointKind::spherical,
+           fmt::format("actuator {}: joint {} does not allow a motion in {}", a.name, t.joints[static_cast<std::size_t>(a.joint)].name,
+                       a.unit));
+    demand(std::isfinite(a.stroke.min) && std::isfinite(a.stroke.max) && a.stroke.min < a.stroke.max,
+           fmt::format("actuator {}: its stroke is not a finite range", a.name));
+  }
+  const std::size_t width[] = {static_cast<std::size_t>(dof), static_cast<std::size_t>(dof), 6};
+  for (const SourceMatrix& m : t.matrices) {
+    const auto known = [](Rates r, int last) { return static_cast<int>(r) >= 0 && static_cast<int>(r) <= last; };
+    demand(known(m.acts_on, PM_TWIST) && known(m.gives, PM_NO_RATES), fmt::format("matrix {}: acts on, or gives, unknown rates", m.name));
+    demand(m.rows > 0 && static_cast<std::size_t>(m.columns) == width[static_cast<std::size_t>(m.acts_on)],
+           fmt::format("matrix {}: {} columns, but the rates it acts on are {}", m.name, m.columns,
+                       width[static_cast<std::size_t>(m.acts_on)]));
+    demand(m.gives == Rates::none || static_cast<std::size_t>(m.rows) == width[static_cast<std::size_t>(m.gives)],
+           fmt::format("matrix {}: {} rows, but the rates it gives are {}", m.name, m.rows, width[static_cast<std::size_t>(m.gives) % 3]));
+    for (const SourceMatrix& other : t.matrices)
+      demand(other.relation != m.relation || (other.gives == m.gives && other.rows == m.rows),
+             fmt::format("matrices {} and {} are of one relation, but do not give the same", m.name, other.name));
+  }
+  for (const Shape& s : t.shapes)
+    demand(s.body >= 0 && s.body < count(t.bodies), fmt::format("a shape belongs to body {}, which does not exist", s.body));
+}
+
+}  // namespace pmreport::mechanics

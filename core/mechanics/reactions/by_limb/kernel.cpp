@@ -1,0 +1,66 @@
+#include <core/mechanics/reactions/by_limb/kernel.hpp>
+
+#include <core/mechanics/reactions/by_limb/solver.hpp>
+
+namespace pmreport::mechanics {
+
+namespace {
+
+using Plan = DynamicsPlan;
+
+template <class T>
+PMREPORT_INLINE void solve_all(const Plan& plan, const DynamicsBatch& batch, double* memory) {
+  const Desk<T> desk(plan, memory);
+  for (std::size_t k = 0; k < batch.written; k += T::width) LimbSolver<T>(plan, batch, desk, k).solve();
+}
+
+[[gnu::flatten]] void solve_single(const Plan& plan, const DynamicsBatch& batch, double* memory) {
+  solve_all<Pack<1>>(plan, batch, memory);
+}
+
+[[gnu::flatten]] void solve_plain(const Plan& plan, const DynamicsBatch& batch, double* memory) { solve_all<Pack<2>>(plan, batch, memory); }
+
+#if defined(__x86_64__)
+[[gnu::flatten, gnu::target("arch=x86-64-v3")]] void solve_v3(const Plan& plan, const DynamicsBatch& batch, double* memory) {
+  solve_all<Pack<4>>(plan, batch, memory);
+}
+[[gnu::flatten, gnu::target("arch=x86-64-v4")]] void solve_v4(const Plan& plan, const DynamicsBatch& batch, double* memory) {
+  solve_all<Pack<8>>(plan, batch, memory);
+}
+#endif
+
+}  // namespace
+
+DynamicsKernel DynamicsKernel::single() { return {1, solve_single}; }
+
+std::vector<DynamicsKernel> DynamicsKernel::all() {
+  std::vector<DynamicsKernel> out{single(), {2, solve_plain}};
+#if defined(__x86_64__)
+  // By features: Clang 14 cannot be asked for levels.
+  const bool v3 =
+      __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+  const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
+                  __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+  if (v3) out.push_back({4, solve_v3});
+  if (v4) out.push_back({8, solve_v4});
+#endif
+  return out;
+}
+
+DynamicsKernel DynamicsKernel::widest() { return all().back(); }
+
+std::size_t DynamicsKernel::memory(const DynamicsPlan& plan) const { return Desk<Pack<1>>(plan, nullptr).numbers * width_; }
+
+std::vector<double> equation_sizes(const DynamicsPlan& plan, const double* placement) {
+  std::vector<double> memory(Desk<Pack<1>>(plan, nullptr).numbers), out;
+  int equations = 0;
+  for (const Plan::Group& g : plan.groups) equations += g.equations;
+  out.resize(static_cast<std::size_t>(equations));
+  DynamicsBatch batch;
+  batch.placement = placement;
+  const Desk<Pack<1>> desk(plan, memory.data());
+  LimbSolver<Pack<1>>(plan, batch, desk, 0).equations(out.data());
+  return out;
+}
+
+}  // namespace pmreport::mechanics
