@@ -1,6 +1,6 @@
 // The program: scenario in, report out.
 #include <core/host/catalog.hpp>
-#include <core/scenario/scenario.hpp>
+#include <core/scenario/loaded.hpp>
 #include <reports/document/report.hpp>
 #include <reports/program/check.hpp>
 #include <reports/program/classify.hpp>
@@ -102,7 +102,8 @@ int run(const Options& options) {
   const scenario::Loaded loaded = scenario::load(options.scenario, source_of(catalog));
   if (options.check_only) {
     if (!options.quiet)
-      fmt::print("{}: valid, {} samples, {} sections\n", options.scenario, loaded.scenario.motion.time.size(),
+      fmt::print("{}: valid, {}, {} sections\n", options.scenario,
+                 loaded.scenario.motion ? fmt::format("{} samples", loaded.trajectory.samples()) : "no motion",
                  loaded.scenario.sections.size());
     return all_well;
   }
@@ -111,8 +112,7 @@ int run(const Options& options) {
                                    [] {
                                      if (stop_asked()) throw document::Interrupted("interrupted");
                                    }};
-  const document::Report report =
-      section::make_report(loaded.scenario, *loaded.machine, PMREPORT_VERSION, catalog.find(loaded.scenario.mechanism)->build, progress);
+  const document::Report report = section::make_report(loaded, PMREPORT_VERSION, catalog.find(loaded.scenario.mechanism)->build, progress);
   const std::string folder = options.out.empty() ? fs::path(options.scenario).stem().string() + "-report" : options.out;
   terminal.say("writing " + folder);
   document::write(report, folder, stop_asked);

@@ -8,10 +8,10 @@ namespace pmreport::section {
 using analysis::Analysis;
 using analysis::Condition;
 using analysis::Crossing;
-using analysis::Interval;
 using analysis::LimitBreach;
 using analysis::Measure;
 using analysis::Progress;
+using analysis::SampleRun;
 using analysis::Worst;
 using mechanics::Indeterminate;
 
