@@ -1,49 +1,42 @@
-#include <core/analysis/sample_work.hpp>
+#include <core/analysis/analysis.hpp>
+
+#include <core/analysis/samples/sample_work.hpp>
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
-#include <core/mechanics/mobility/mobility_count.hpp>
-#include <core/mechanics/model/generic_model.hpp>
-#include <limits>
 #include <mutex>
 
 namespace pmreport::analysis {
 
-namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t index_of(Measure m) { return static_cast<std::size_t>(m); }
-
-}  // namespace
-
-Analysis::Analysis(const scenario::Scenario& scenario, const mechanics::Machine& machine, const Progress& progress)
-    : scenario_(scenario), machine_(machine), length_(characteristic_length(machine)) {
+Analysis::Analysis(const scenario::Scenario& scenario, const mechanics::Trajectory& trajectory, const mechanics::Machine& machine,
+                   const Asked& asked, const Progress& progress)
+    : scenario_(scenario),
+      trajectory_(trajectory),
+      machine_(machine),
+      asked_(asked),
+      length_(characteristic_length(machine)),
+      residuals_(trajectory.time.size()) {
   const Eigen::VectorXd home = machine.home(), still = Eigen::VectorXd::Zero(machine.dof());
   mechanics::State s;
   evaluate(machine, home.data(), still.data(), still.data(), s);
   mobility_ = mechanics::mobility(machine, s);
   run(progress);
-  dynamics_ = asks_for_dynamics();
-  if (dynamics_) run_dynamics(progress);
-  find_breaches();
-  find_crossings();
+  if (asked_.forces) run_dynamics(progress);
+  breaches_ = find_breaches(machine.topology(), columns_);
+  crossings_ = find_crossings(trajectory, machine, columns_["det_G"], mobility_, length_);
 }
 
 void Analysis::run(const Progress& progress) {
   const std::size_t n = time().size();
   for (const char* section : {"displacement", "velocity", "acceleration", "statics"})
-    for (const mechanics::Column& c : mechanics::columns_of(section, machine_.topology())) columns_[c.name].assign(n, nan);
+    for (const mechanics::Column& c : mechanics::columns_of(section, machine_.topology())) columns_.add(c.name, n);
   outcomes_.assign(n, Outcome::good);
-  Row nothing;
-  nothing.fill(nan);
-  measures_.assign(n, nothing);
 
   const mechanics::Closure closure(machine_);
-  const bool statics = scenario_.asks_for("statics");
-  tbb::enumerable_thread_specific<SampleWork> workers([&] { return SampleWork(scenario_, machine_, closure, length_, statics); });
+  tbb::enumerable_thread_specific<SampleWork> workers(
+      [&] { return SampleWork(trajectory_, scenario_.load, machine_, closure, length_, asked_); });
   std::mutex sentences;
   // Blocks, so that a request to stop is heard in time; within a block every sample stands alone and the order does not matter.
   constexpr std::size_t block = 4096;
@@ -52,10 +45,8 @@ void Analysis::run(const Progress& progress) {
     tbb::parallel_for(begin, std::min(n, begin + block), [&](std::size_t k) {
       SampleWork& worker = workers.local();
       const int sample = static_cast<int>(k), neighbour = sample > 0 ? sample - 1 : std::min(1, samples() - 1);
-      outcomes_[k] = worker.run(sample, neighbour, measures_[k], [&](const std::string& name, double value) {
-        const auto found = columns_.find(name);
-        if (found != columns_.end()) found->second[k] = std::isfinite(value) ? value + 0.0 : nan;  // no negative zero
-      });
+      outcomes_[k] =
+          worker.run(sample, neighbour, residuals_[k], [&](const std::string& name, double value) { columns_.put(name, k, value); });
       if (outcomes_[k] == Outcome::unreachable || outcomes_[k] == Outcome::failed) {
         const std::scoped_lock lock(sentences);
         why_[sample] = worker.why();
@@ -67,42 +58,9 @@ void Analysis::run(const Progress& progress) {
       throw mechanics::MechanismError(PM_FAILED, "sample " + std::to_string(k + 1) + ": " + why_[static_cast<int>(k)]);
 }
 
-void Analysis::find_breaches() {
-  const Topology& t = machine_.topology();
-  const auto look = [&](const std::string& column, const std::string& subject, const std::string& unit, const Range& range, bool stroke) {
-    for (const bool above : {false, true}) {
-      LimitBreach b{subject, unit, {}, 0, 0, above ? range.max : range.min, above, stroke};
-      double worst = 0;
-      const std::vector<double>& x = columns_.at(column);
-      // A limit that is met exactly is kept: rounding may not break it.
-      const double slack = 1e-12 * std::max({1.0, std::abs(range.min), std::abs(range.max)});
-      for (int k = 0; k < samples(); ++k) {
-        const double value = x[static_cast<std::size_t>(k)], excess = above ? value - range.max : range.min - value;
-        if (!(excess > slack)) continue;
-        b.samples.push_back(k);
-        if (excess > worst) worst = excess, b.worst = k, b.value = value;
-      }
-      if (!b.samples.empty()) breaches_.push_back(b);
-    }
-  };
-  for (const Actuator& a : t.actuators) look(a.name, a.name + " (" + a.title + ")", a.unit, a.stroke, true);
-  for (const Joint& j : t.joints) {
-    if (j.kind == JointKind::prismatic) continue;
-    for (std::size_t i = 0; i < j.limits.size(); ++i) look(mechanics::joint_column(j, i), "joint " + j.name, "rad", j.limits[i], false);
-  }
-}
-
 std::vector<mechanics::Column> Analysis::columns_of(std::string_view section) const {
   std::vector<mechanics::Column> out = mechanics::columns_of(section, machine_.topology());
   std::erase_if(out, [&](const mechanics::Column& c) { return !has(c.name); });
-  return out;
-}
-
-double Analysis::largest(const std::vector<std::string>& columns) const {
-  double out = 0;
-  for (const std::string& name : columns)
-    for (const double x : column(name))
-      if (std::isfinite(x)) out = std::max(out, std::abs(x));
   return out;
 }
 
@@ -114,45 +72,12 @@ const std::string& Analysis::why(int sample) const {
   return found != why_.end() ? found->second : none;
 }
 
-Worst Analysis::worst(Measure m) const {
-  Worst w;
-  for (int k = 0; k < samples(); ++k) {
-    const double x = measures_[static_cast<std::size_t>(k)][index_of(m)];
-    if (std::isnan(x)) continue;
-    ++w.compared;
-    if (w.sample < 0 || x > w.value) w.value = x, w.sample = k;
-  }
-  return w;
-}
-
-namespace {
-template <class Predicate>
-std::vector<Interval> runs(int n, Predicate&& in) {
-  std::vector<Interval> out;
-  for (int k = 0; k < n; ++k) {
-    if (!in(k)) continue;
-    if (!out.empty() && out.back().last == k - 1)
-      out.back().last = k;
-    else
-      out.push_back({k, k});
-  }
-  return out;
-}
-}  // namespace
-
-std::vector<Interval> Analysis::broken() const {
-  std::vector<bool> bad(time().size());
-  for (const LimitBreach& b : breaches_)
-    for (const int k : b.samples) bad[static_cast<std::size_t>(k)] = true;
-  return runs(samples(), [&](int k) { return bad[static_cast<std::size_t>(k)]; });
-}
-
-std::vector<Interval> Analysis::unreachable() const {
+std::vector<SampleRun> Analysis::unreachable() const {
   return runs(samples(), [&](int k) { return outcome(k) == Outcome::unreachable; });
 }
 
 mechanics::Pose Analysis::pose(int sample) const {
-  const Eigen::VectorXd q = scenario_.motion.value.row(sample);
+  const Eigen::VectorXd q = trajectory_.value.row(sample);
   return machine_.pose({q.data(), static_cast<std::size_t>(q.size())});
 }
 

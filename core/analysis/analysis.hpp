@@ -2,15 +2,18 @@
 // that prove the numbers. Sections draw on it; they compute no mechanics of their own.
 #pragma once
 
-#include <core/mechanics/mobility/mobility_count.hpp>
+#include <core/analysis/asked.hpp>
+#include <core/analysis/breaches.hpp>
+#include <core/analysis/column_store.hpp>
+#include <core/analysis/crossings.hpp>
+#include <core/analysis/progress.hpp>
+#include <core/analysis/residuals.hpp>
 #include <core/mechanics/model/outcome.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/reactions/reactions.hpp>
 #include <core/scenario/scenario.hpp>
 #include <core/scenario/section/columns.hpp>
 
-#include <array>
-#include <cstdint>
-#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -21,126 +24,66 @@ namespace pmreport::analysis {
 using mechanics::Indeterminate;
 using mechanics::Outcome;
 
-// The residuals kept of each sample. Relative ones are dimensionless.
-enum class Measure : std::size_t {
-  gap,                      // joint centres as both bodies carry them [m]
-  misalignment,             // joint axes as both bodies carry them [rad]
-  round_trip,               // coordinates recovered from the actuators
-  velocity,                 // twists by jets in the generic constraints
-  jacobian,                 // G twist against actuator rates by jets
-  forward_velocity,         // twist recovered from the actuator rates
-  source,                   // relations that the source states by its matrices
-  difference_rate,          // jets against differences in extended precision
-  acceleration,             // twist rates by jets in the differentiated constraints
-  jacobian_rate,            // G twist rate + G' twist against actuator accelerations by jets
-  forward_acceleration,     // twist rate recovered from the actuator accelerations
-  difference_acceleration,  // jets against second differences in extended precision
-  statics,                  // actuator forces by G against the system over all bodies
-  equilibrium,              // unbalanced force or moment of any body in that system
-  power,                    // virtual power of actuators, load and weights
-  newton_euler,             // actuator forces by virtual work against the free bodies
-  free_body,                // unbalanced force or moment of any body, reactions and inertia included
-  power_balance,            // power of actuators and load against the rate of kinetic and potential energy
-  judge,                    // reactions limb by limb against the system over all bodies
-  count
-};
-
-struct Worst {
-  double value = 0;  // largest over the samples
-  int sample = -1;   // where; -1: nowhere computed
-  int compared = 0;  // number of samples that it was computed of
-};
-
-struct LimitBreach {    // one limited quantity that leaves its range
-  std::string subject;  // "l3 (length of limb 3)", "A2 (deflection of the ball joint)"
-  std::string unit;     // SI
-  std::vector<int> samples;
-  int worst = 0;  // sample with the largest excess
-  double value = 0, limit = 0;
-  bool above = false;  // above the upper end, else below the lower
-  bool stroke = false;
-};
-
-struct Interval {
-  int first, last;  // samples, inclusive
-};
-
-// The motion meets a singular surface: det G changes its sign, or touches zero, at `time`.
-struct Crossing {
-  int before;                   // sample at or before it
-  double time;                  // [s], to the last digits of a double
-  Eigen::VectorXd coordinates;  // there
-  bool touches = false;         // it comes back on the same side
-  bool pole = false;            // det G passes through infinity, not zero: a limb is singular
-};
-
-// What the program does while it works: tell, and ask whether to stop (then throw).
-struct Progress {
-  std::function<void(const std::string&)> say = [](const std::string&) {};
-  std::function<void()> stop_if_asked = [] {};
-};
-
 class Analysis {
  public:
-  // Throws mechanics::MechanismError when the plugin breaks down on the way.
-  Analysis(const scenario::Scenario& scenario, const mechanics::Machine& machine, const Progress& progress);
+  // All three must live as long. A trajectory of no samples: there is no motion, and the machine is known at home alone. Throws
+  // mechanics::MechanismError when the plugin breaks down on the way.
+  Analysis(const scenario::Scenario& scenario, const mechanics::Trajectory& trajectory, const mechanics::Machine& machine,
+           const Asked& asked, const Progress& progress);
 
   const scenario::Scenario& scenario() const { return scenario_; }
+  const mechanics::Trajectory& trajectory() const { return trajectory_; }
   const mechanics::Machine& machine() const { return machine_; }
-  const std::vector<double>& time() const { return scenario_.motion.time; }
-  int samples() const { return static_cast<int>(time().size()); }
+  const std::vector<double>& time() const { return trajectory_.time; }
+  int samples() const { return trajectory_.samples(); }
 
   // The columns of a section that this run has, in the order of mechanics::columns_of: forces in motion when something asks for them, motor
   // columns where a motor is given.
   std::vector<mechanics::Column> columns_of(std::string_view section) const;
-  bool has(const std::string& column) const { return columns_.contains(column); }
+  bool has(const std::string& column) const { return columns_.has(column); }
   // NaN where a sample has no value.
-  const std::vector<double>& column(const std::string& name) const { return columns_.at(name); }
-  double largest(const std::vector<std::string>& columns) const;  // magnitude over the samples
+  const std::vector<double>& column(const std::string& name) const { return columns_[name]; }
+  double largest(const std::vector<std::string>& columns) const { return columns_.largest(columns); }  // magnitude over the samples
 
   Outcome outcome(int sample) const { return outcomes_[static_cast<std::size_t>(sample)]; }
   int count(Outcome c) const;
   const std::string& why(int sample) const;  // of a sample that is not good
-  Worst worst(Measure m) const;
+  Worst worst(Measure m) const { return residuals_.worst(m); }
 
-  bool has_dynamics() const { return dynamics_; }                                     // a section or a limit asks for forces in motion
+  bool has_dynamics() const { return asked_.forces; }                                 // a section or a limit asks for forces in motion
   const std::vector<Indeterminate>& indeterminate() const { return indeterminate_; }  // of each joint, in any sample
   int self_stresses() const { return self_stresses_; }                                // most in any sample
 
   const std::vector<LimitBreach>& breaches() const { return breaches_; }
   const std::vector<Crossing>& crossings() const { return crossings_; }
-  std::vector<Interval> broken() const;       // runs of samples that break some limit
-  std::vector<Interval> unreachable() const;  // runs of samples without a pose
+  std::vector<SampleRun> broken() const { return broken_runs(breaches_, samples()); }
+  std::vector<SampleRun> unreachable() const;  // runs of samples without a pose
 
   mechanics::Pose pose(int sample) const;
-  int sample_at(double time) const;  // nearest
+  int sample_at(double time) const;  // nearest; there must be a motion
 
   const mechanics::Mobility& mobility() const { return mobility_; }
   double length() const { return length_; }  // characteristic length [m]
 
-  // Beyond this condition number of G an answer has lost too many digits to be compared with another; beyond `singular` it is none.
-  static constexpr double comparable = 1e7, singular = 1e11;
-
  private:
   void run(const Progress& progress);
-  void find_breaches();
-  void find_crossings();  // in crossings.cpp
   // In analysis_dynamics.cpp.
-  bool asks_for_dynamics() const;
   void run_dynamics(const Progress&);
+  void add_force_columns();
   void balance_power();
 
   const scenario::Scenario& scenario_;
+  const mechanics::Trajectory& trajectory_;
   const mechanics::Machine& machine_;
+  Asked asked_;
   double length_;
   mechanics::Mobility mobility_;
-  std::map<std::string, std::vector<double>> columns_;
+  ColumnStore columns_;
   std::vector<Outcome> outcomes_;
   std::map<int, std::string> why_;
-  std::vector<std::array<double, static_cast<std::size_t>(Measure::count)>> measures_;  // NaN: not computed
+  Residuals residuals_;
   std::vector<LimitBreach> breaches_;
   std::vector<Crossing> crossings_;
-  bool dynamics_ = false;
   std::vector<Indeterminate> indeterminate_;
   int self_stresses_ = 0;
 };

@@ -1,7 +1,9 @@
 // Forces in motion, of every sample: columns of the sections dynamics, drives and reactions, and their residuals.
-#include <core/analysis/motion_probe.hpp>
-#include <core/analysis/sample_forces.hpp>
-#include <core/analysis/smooth_rate.hpp>
+#include <core/analysis/analysis.hpp>
+#include <core/analysis/conditioning.hpp>
+#include <core/analysis/samples/motion_probe.hpp>
+#include <core/analysis/samples/sample_forces.hpp>
+#include <core/analysis/samples/smooth_rate.hpp>
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -16,10 +18,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-bool bounds(const std::vector<double>& limits) {
-  return std::any_of(limits.begin(), limits.end(), [](double x) { return std::isfinite(x); });
-}
-
 // As many of the samples that have forces, spread evenly, the ends left out.
 std::vector<int> spread(const Analysis& a, int wanted) {
   std::vector<int> good, out;
@@ -32,33 +30,29 @@ std::vector<int> spread(const Analysis& a, int wanted) {
 
 }  // namespace
 
-bool Analysis::asks_for_dynamics() const {
-  return scenario_.limits.any() || scenario_.asks_for("dynamics") || scenario_.asks_for("drives") || scenario_.asks_for("reactions") ||
-         scenario_.asks_for("speed");
-}
-
-void Analysis::run_dynamics(const Progress& progress) {
+void Analysis::add_force_columns() {
   const Topology& t = machine_.topology();
-  const std::size_t n = time().size();
-  const auto allocate = [&](const char* section, auto&& wanted) {
+  const auto add = [&](const char* section, auto&& wanted) {
     for (const mechanics::Column& c : mechanics::columns_of(section, t))
-      if (wanted(c)) columns_[c.name].assign(n, nan);
+      if (wanted(c)) columns_.add(c.name, time().size());
   };
-  allocate("dynamics", [](const mechanics::Column&) { return true; });
-  if (scenario_.asks_for("drives")) {
+  const auto all = [](const mechanics::Column&) { return true; };
+  add("dynamics", all);
+  if (asked_.drives) {
     const auto has_motor = [&](const mechanics::Column& c) {
       for (std::size_t i = 0; i < scenario_.drives.size(); ++i)
         if (c.name == t.actuators[i].name + "_" + c.group) return scenario_.drives[i].ratio > 0;
       return false;
     };
-    allocate("drives", [&](const mechanics::Column& c) { return !c.group.starts_with("motor_") || has_motor(c); });
+    add("drives", [&](const mechanics::Column& c) { return !c.group.starts_with("motor_") || has_motor(c); });
   }
-  if (scenario_.asks_for("reactions") || bounds(scenario_.limits.joint_force) || bounds(scenario_.limits.joint_moment))
-    allocate("reactions", [](const mechanics::Column&) { return true; });
-  const ForceColumns columns(t, [&](const std::string& name) {
-    const auto found = columns_.find(name);
-    return found != columns_.end() ? found->second.data() : nullptr;
-  });
+  if (asked_.reactions) add("reactions", all);
+}
+
+void Analysis::run_dynamics(const Progress& progress) {
+  const Topology& t = machine_.topology();
+  add_force_columns();
+  const ForceColumns columns(t, [&](const std::string& name) { return columns_.find(name); });
 
   std::vector<SampleForces::Order> orders;
   const std::vector<int> judged = spread(*this, 16);
@@ -69,7 +63,9 @@ void Analysis::run_dynamics(const Progress& progress) {
           {k, condition_number[static_cast<std::size_t>(k)] < comparable, std::binary_search(judged.begin(), judged.end(), k)});
 
   const mechanics::JointFrames frames(machine_);
-  tbb::enumerable_thread_specific<SampleForces> workers([&] { return SampleForces(scenario_, machine_, frames, length_, columns); });
+  tbb::enumerable_thread_specific<SampleForces> workers([&] {
+    return SampleForces(trajectory_, scenario_.load, scenario_.drives, machine_, frames, length_, columns, asked_.force_evidence);
+  });
   // Chunks that always begin at the same samples, so that no number depends on the threads; blocks of them, so that a request to stop is
   // heard in time.
   constexpr std::size_t chunk = 64, block = 64 * chunk;
@@ -78,7 +74,7 @@ void Analysis::run_dynamics(const Progress& progress) {
     const std::size_t end = std::min(orders.size(), begin + block);
     tbb::parallel_for(std::size_t{0}, (end - begin + chunk - 1) / chunk, [&](std::size_t i) {
       const std::size_t first = begin + i * chunk;
-      workers.local().run(std::span(orders).subspan(first, std::min(chunk, end - first)), measures_);
+      workers.local().run(std::span(orders).subspan(first, std::min(chunk, end - first)), residuals_);
     });
   }
   indeterminate_.assign(t.joints.size(), 0);
@@ -87,7 +83,7 @@ void Analysis::run_dynamics(const Progress& progress) {
     for (std::size_t j = 0; j < indeterminate_.size(); ++j)
       indeterminate_[j] = static_cast<Indeterminate>(indeterminate_[j] | worker.indeterminate()[j]);
   }
-  balance_power();
+  if (asked_.power_evidence) balance_power();
 }
 
 // The power of actuators and load against the rate of the energy, which comes from positions and velocities along the motion around a
@@ -101,7 +97,7 @@ void Analysis::balance_power() {
   const double largest_power = largest(powers);
 
   const std::vector<int> chosen = spread(*this, wanted);
-  tbb::enumerable_thread_specific<MotionProbe> probes([&] { return MotionProbe(scenario_, machine_); });
+  tbb::enumerable_thread_specific<MotionProbe> probes([&] { return MotionProbe(trajectory_, scenario_.load, machine_); });
   tbb::parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t i) {
     const auto k = static_cast<std::size_t>(chosen[i]);
     const double power = column("total_power")[k] + column("load_power")[k];
@@ -110,8 +106,7 @@ void Analysis::balance_power() {
     const auto rate = smooth_rate([&](double t) { return probe.go(t) ? probe.energy() : nan; }, time()[k], time().front(), time().back());
     if (!rate) return;
     const double scale = std::max(largest_power, std::abs(rate->value)), deviation = std::abs(power - rate->value);
-    if (rate->change <= smooth * scale)
-      measures_[k][static_cast<std::size_t>(Measure::power_balance)] = scale > 0 ? deviation / scale : deviation;
+    if (rate->change <= smooth * scale) residuals_[k][static_cast<std::size_t>(Measure::power_balance)] = relative(deviation, scale);
   });
 }
 

@@ -1,5 +1,6 @@
-// Where a motion meets a singular surface: between samples, by bisection in time.
-#include <core/analysis/analysis.hpp>
+#include <core/analysis/crossings.hpp>
+
+#include <core/analysis/conditioning.hpp>
 #include <core/mechanics/singularity/singularity.hpp>
 
 #include <cmath>
@@ -12,7 +13,7 @@ namespace {
 // det G along the motion, dimensionless. A sample's own value is that of its column, so that both tell the same sign.
 class Along {
  public:
-  Along(const scenario::Motion& motion, const mechanics::Machine& machine, double length)
+  Along(const mechanics::Trajectory& motion, const mechanics::Machine& machine, double length)
       : motion_(motion), machine_(machine), length_(length), unused_(machine.dof()) {}
 
   Eigen::VectorXd at(double t) {
@@ -54,7 +55,7 @@ class Along {
   }
 
  private:
-  const scenario::Motion& motion_;
+  const mechanics::Trajectory& motion_;
   const mechanics::Machine& machine_;
   double length_;
   Eigen::VectorXd unused_;
@@ -62,13 +63,15 @@ class Along {
 
 }  // namespace
 
-void Analysis::find_crossings() {
-  const std::vector<double>&d = columns_.at("det_G"), &t = time();
-  Along motion(scenario_.motion, machine_, length_);
+std::vector<Crossing> find_crossings(const mechanics::Trajectory& trajectory, const mechanics::Machine& machine,
+                                     const std::vector<double>& determinant, const mechanics::Mobility& mobility, double length) {
+  const std::vector<double>&d = determinant, &t = trajectory.time;
+  Along motion(trajectory, machine, length);
+  std::vector<Crossing> crossings;
   const auto meet = [&](std::size_t before, double when, bool touches) {
     // Beside a zero det G is smaller than at the samples, beside a pole larger.
     const double beside = std::abs(motion.det(when)), at_sample = std::abs(motion.det(t[before]));
-    crossings_.push_back({static_cast<int>(before), when, motion.at(when), touches, !(beside <= at_sample)});
+    crossings.push_back({static_cast<int>(before), when, motion.at(when), touches, !(beside <= at_sample)});
   };
   for (std::size_t k = 0; k + 1 < d.size(); ++k) {
     if (d[k] * d[k + 1] < 0) {
@@ -86,10 +89,11 @@ void Analysis::find_crossings() {
       meet(in < t[k] ? k - 1 : k, in, false);
       meet(out < t[k] ? k - 1 : k, out, false);
     } else {
-      const std::optional<mechanics::Singularity> s = mechanics::singularity_at(machine_, motion.at(lowest), mobility_, length_);
+      const std::optional<mechanics::Singularity> s = mechanics::singularity_at(machine, motion.at(lowest), mobility, length);
       if (s && s->conditioning.condition() > singular) meet(lowest < t[k] ? k - 1 : k, lowest, true);
     }
   }
+  return crossings;
 }
 
 }  // namespace pmreport::analysis

@@ -1,4 +1,4 @@
-#include <core/scenario/parts.hpp>
+#include <core/scenario/measured_part.hpp>
 #include <core/text/text.hpp>
 
 namespace pmreport::scenario {

@@ -2,7 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <core/scenario/parts.hpp>
+#include <core/scenario/measured_part.hpp>
+#include <core/scenario/sizing_part.hpp>
 #include <core/text/text.hpp>
 #include <numbers>
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <core/mechanics/model/joint_words.hpp>
-#include <core/scenario/parts.hpp>
+#include <core/scenario/sizing_part.hpp>
 #include <core/text/text.hpp>
 
 namespace pmreport::scenario {

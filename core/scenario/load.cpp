@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <core/scenario/parts.hpp>
+#include <core/scenario/load_part.hpp>
 #include <core/text/text.hpp>
 #include <memory>
 

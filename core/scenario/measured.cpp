@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <core/scenario/parts.hpp>
 #include <core/scenario/section/columns.hpp>
 #include <core/scenario/section/quantities.hpp>
+#include <core/scenario/section/section_part.hpp>
 #include <core/text/text.hpp>
 
 namespace pmreport::scenario {
@@ -102,8 +102,8 @@ void resolve(const Piece& name, const std::vector<SectionRequest>& sections, con
                           fmt::format("name one of them: {}", listed(measured.columns, "or")));
 }
 
-// Finds a quantity that a section names, "mobility.redundant".
-void resolve_quantity(const std::string& that, const std::vector<SectionRequest>& sections, Measured& measured) {
+// Finds a quantity that a section names, "mobility.redundant". `still`: there is no motion.
+void resolve_quantity(const std::string& that, const std::vector<SectionRequest>& sections, bool still, Measured& measured) {
   std::vector<std::string> known;
   for (const std::string& kind : mechanics::sections_with_quantities()) {
     const auto section =
@@ -117,6 +117,9 @@ void resolve_quantity(const std::string& that, const std::vector<SectionRequest>
         throw ExpressionError(
             0, fmt::format("{} belongs to the section {}, which this scenario does not have", in_quotes(that), in_quotes(kind)),
             fmt::format("add [[section]] and kind = \"{}\"", kind));
+      if (still && is_of_motion(that))
+        throw ExpressionError(0, fmt::format("{} is of a motion, and this scenario has none", in_quotes(that)),
+                              "add [motion], duration = \"10 s\" and samples = 501");
       measured.quantity = q.name;
       measured.unit = q.unit;
       measured.count = q.count;
@@ -147,16 +150,16 @@ std::optional<Measured> read_measured(const Value& value, const Measurable& meas
   out.that = *text;
   try {
     if (names_quantity(*text)) {
-      resolve_quantity(std::string(trim(*text)), measurable.sections, out);
+      resolve_quantity(std::string(trim(*text)), measurable.sections, measurable.span && measurable.span->empty(), out);
       keep_motors(measurable, 0, out);
       return out;
     }
     const auto [name, time] = parse_that(*text, out);
-    const auto& interval = measurable.interval;
-    if (out.reduction == "at" && interval && !(out.time >= interval->begin && out.time <= interval->end))
+    const auto& span = measurable.span;
+    if (out.reduction == "at" && span && !span->empty() && !(out.time >= span->begin && out.time <= span->end))
       throw ExpressionError(time.offset,
-                            fmt::format("expected a time within the motion, {} s to {} s, seen {} s", format_number(interval->begin, 6),
-                                        format_number(interval->end, 6), format_number(out.time, 6)));
+                            fmt::format("expected a time within the motion, {} s to {} s, seen {} s", format_number(span->begin, 6),
+                                        format_number(span->end, 6), format_number(out.time, 6)));
     if (measurable.topology) {
       resolve(name, measurable.sections, *measurable.topology, out);
       keep_motors(measurable, name.offset, out);

@@ -1,11 +1,12 @@
-#include <core/scenario/scenario.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
-
-#include <core/scenario/parts.hpp>
+#include <core/scenario/load_part.hpp>
+#include <core/scenario/loaded.hpp>
+#include <core/scenario/motion/motion_part.hpp>
 #include <core/scenario/read/csv.hpp>
+#include <core/scenario/section/section_part.hpp>
+#include <core/scenario/sizing_part.hpp>
 #include <core/text/text.hpp>
 
 namespace pmreport::scenario {
@@ -28,31 +29,6 @@ std::string text_or_nothing(const Entry* entry, const Reader& reader) {
 
 bool Scenario::asks_for(std::string_view kind) const {
   return std::any_of(sections.begin(), sections.end(), [&](const SectionRequest& r) { return r.kind == kind; });
-}
-
-std::vector<const Value*> tables_of(const Entry* entry, const std::string& name, const Reader& reader) {
-  std::vector<const Value*> out;
-  if (entry == nullptr || entry->value.kind == Value::Kind::refused) return out;
-  if (entry->value.kind != Value::Kind::array) {
-    reader.diagnostics().add(entry->place, fmt::format("expected a list of tables, seen {}", name_of(entry->value)),
-                             fmt::format("write [[{}]] with two brackets, once for each", name));
-    return out;
-  }
-  for (const Value& item : entry->value.items) {
-    if (item.kind == Value::Kind::table)
-      out.push_back(&item);
-    else if (item.kind != Value::Kind::refused)
-      reader.diagnostics().add(item.place, fmt::format("expected a table [[{}]], seen {}", name, name_of(item)));
-  }
-  return out;
-}
-
-const Value* table_of(const Entry* entry, const std::string& name, const Reader& reader) {
-  if (entry == nullptr) return nullptr;
-  if (entry->value.kind == Value::Kind::table) return &entry->value;
-  if (entry->value.kind != Value::Kind::refused)
-    reader.diagnostics().add(entry->place, fmt::format("expected a table [{}], seen {}", name, name_of(entry->value)));
-  return nullptr;
 }
 
 Loaded load_text(const std::string& text, const std::filesystem::path& file, const MechanismSource& source) {
@@ -79,22 +55,29 @@ Loaded load_text(const std::string& text, const std::filesystem::path& file, con
   s.description = text_or_nothing(table.find("description"), reader);
 
   MechanismPart mechanism = read_mechanism(table.find("mechanism"), source, reader);
-  const Entry* motion_at = table.find("motion");
-  LoadPart load = read_load(table.find("load"), reader);
-  MotionPart motion = read_motion(motion_at, mechanism, load.load, file, reader);
-  s.load = sampled(std::move(load), motion.motion.time, diagnostics);
-  const Entry *drive = table.find("drive"), *limits = table.find("limits");
+  const Entry *motion_at = table.find("motion"), *load_at = table.find("load"), *drive = table.find("drive"),
+              *limits = table.find("limits"), *sections = table.find("section");
+  LoadPart load = read_load(load_at, reader);
+  const bool motion_needed = need_motion(sections);
+  MotionPart motion = read_motion(motion_at, motion_needed, mechanism, load.load, file, reader);
+  s.load = sampled(std::move(load), motion.trajectory.time, diagnostics);
+  if (motion_at == nullptr && !motion_needed)
+    for (const Entry* e : {load_at, limits})
+      if (e != nullptr)
+        diagnostics.add(e->place, fmt::format("[{}] is for a motion, and this scenario has none", e->key),
+                        fmt::format("remove it, or add [motion], duration = \"10 s\" and samples = 501"));
   s.drives = read_drives(drive, mechanism, reader);
   s.limits = read_limits(limits, mechanism, reader);
-  s.sections = read_sections(table.find("section"), motion.interval, mechanism, {drive, limits, s.drives}, reader);
-  s.checks = read_checks(table.find("check"), {s.sections, mechanism.topology, motion.interval, s.drives}, reader);
+  s.sections = read_sections(sections, motion.span, mechanism, {drive, limits, s.drives}, reader);
+  s.checks = read_checks(table.find("check"), {s.sections, mechanism.topology, motion.span, s.drives}, reader);
   table.finish();
   diagnostics.throw_if_any();
 
   s.mechanism = std::move(mechanism.name);
   s.parameters = std::move(mechanism.values);
   s.parameters_set = std::move(mechanism.set);
-  s.motion = std::move(motion.motion);
+  s.motion = std::move(motion.request);
+  out.trajectory = std::move(motion.trajectory);
   out.machine = std::move(mechanism.machine);
   return out;
 }

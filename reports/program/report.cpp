@@ -1,4 +1,4 @@
-#include <core/scenario/scenario.hpp>
+#include <core/scenario/loaded.hpp>
 #include <reports/document/write.hpp>
 #include <reports/program/commands.hpp>
 #include <reports/program/terminal.hpp>
@@ -52,7 +52,8 @@ int report(const Options& options, bool (*stop)()) {
   const scenario::Loaded loaded = scenario::load(options.scenario, source_of(catalog));
   if (options.check_only) {
     if (!options.quiet)
-      fmt::print("{}: valid, {} samples, {} sections\n", options.scenario, loaded.scenario.motion.time.size(),
+      fmt::print("{}: valid, {}, {} sections\n", options.scenario,
+                 loaded.scenario.motion ? fmt::format("{} samples", loaded.trajectory.samples()) : "no motion",
                  loaded.scenario.sections.size());
     return all_well;
   }
@@ -62,7 +63,7 @@ int report(const Options& options, bool (*stop)()) {
                                      if (stop()) throw document::Interrupted("interrupted");
                                    }};
   const document::Report report =
-      section::make_report(loaded.scenario, *loaded.machine, PMREPORT_VERSION, catalog.find(loaded.scenario.mechanism)->build, progress);
+      section::make_report(loaded, PMREPORT_VERSION, catalog.find(loaded.scenario.mechanism)->build, progress);
   const std::string folder = options.out.empty() ? std::filesystem::path(options.scenario).stem().string() + "-report" : options.out;
   terminal.say("writing " + folder);
   document::write(report, folder, stop);

@@ -14,42 +14,6 @@ namespace pmreport::section {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-struct Found {
-  double value = nan;
-  int sample = -1;  // where; -1: not at a single sample
-};
-
-// One column reduced to one number; NaN when it has no value to reduce.
-Found reduce(const Analysis& a, const scenario::Measured& c, const std::vector<double>& column) {
-  const auto value = [&](int k) {
-    const double x = column[static_cast<std::size_t>(k)];
-    return c.absolute ? std::abs(x) : x;
-  };
-  Found f;
-  if (c.reduction == "at") {  // linear between the two samples around the time
-    const std::vector<double>& t = a.time();
-    const auto after = std::upper_bound(t.begin(), t.end(), c.time);
-    const int right = std::clamp(static_cast<int>(after - t.begin()), 1, a.samples() - 1), left = right - 1;
-    const double share =
-        (c.time - t[static_cast<std::size_t>(left)]) / (t[static_cast<std::size_t>(right)] - t[static_cast<std::size_t>(left)]);
-    f.value = share <= 0 ? value(left) : share >= 1 ? value(right) : value(left) * (1 - share) + value(right) * share;
-    return f;
-  }
-  double squares = 0;
-  int count = 0;
-  for (int k = 0; k < a.samples(); ++k) {
-    const double x = value(k);
-    if (!std::isfinite(x)) continue;
-    ++count;
-    squares += x * x;
-    if (f.sample < 0 || (c.reduction == "max" ? x > f.value : x < f.value)) f = {x, k};
-  }
-  if (c.reduction == "rms") return {count > 0 ? std::sqrt(squares / count) : nan, -1};
-  return f;
-}
-
 document::Check evaluate(const Analysis& a, const scenario::Check& c, const std::vector<document::Value>& values) {
   document::Check out;
   out.line = c.line;
@@ -113,22 +77,17 @@ Number measure(const Analysis& a, const scenario::Measured& m, const std::vector
       if (v.section + "." + v.name == m.quantity) return {v.value, -1, ""};
     return {};
   }
-  Number out;
-  for (const std::string& name : m.columns) {
-    if (!a.has(name)) return {};
-    const Found f = reduce(a, m, a.column(name));
-    if (!std::isfinite(f.value)) return {};
-    if (out.column.empty() || (largest ? f.value > out.value : f.value < out.value)) out = {f.value, f.sample, name};
-  }
-  return out;
+  return analysis::measure(a, m, largest);
 }
 
 std::vector<document::Check> evaluate_checks(const Analysis& a, const std::vector<document::Value>& values) {
   std::vector<document::Check> out;
   for (const scenario::Check& c : a.scenario().checks) out.push_back(evaluate(a, c, values));
 
+  if (!a.scenario().motion) return out;  // nothing moves: there is nothing to demand of it
+
   int broken = 0;
-  for (const Interval& i : a.broken()) broken += i.last - i.first + 1;
+  for (const SampleRun& i : a.broken()) broken += i.last - i.first + 1;
   const int unreachable = a.count(Outcome::unreachable);
   const std::string of = fmt::format(" of {} samples", a.samples());
   const auto first = [](const std::vector<std::string>& sentences) { return sentences.empty() ? std::string() : sentences.front(); };

@@ -17,7 +17,7 @@ using mechanics::Column;
 namespace {
 
 void add_panel(figure::Figure& f, const Analysis& a, const std::string& title, const std::string& axis, const std::string& unit,
-               const std::vector<Curve>& curves) {
+               const std::vector<Trace>& curves) {
   if (!curves.empty()) f.panels.push_back(panel(a, title, axis, unit, curves));
 }
 
@@ -38,13 +38,13 @@ void add_actuators(figure::Figure& f, const Analysis& a, const std::string& sect
 // Joint motions: in one panel as long as they are few, else those of one letter in one: A1 A2 ..., B1 B2 ...
 void add_joints(figure::Figure& f, const Analysis& a) {
   constexpr std::size_t few = 10;
-  const std::vector<Curve> all = group(a, "displacement", "joint_angle");
+  const std::vector<Trace> all = group(a, "displacement", "joint_angle");
   if (all.size() <= few) return add_panel(f, a, "joints", "motion from home", "rad", all);
-  std::vector<std::pair<std::string, std::vector<Curve>>> kinds;
-  for (const Curve& c : all) {
+  std::vector<std::pair<std::string, std::vector<Trace>>> kinds;
+  for (const Trace& c : all) {
     const std::string letters = c.column.substr(0, c.column.find_first_of("0123456789_"));
     const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.first == letters; });
-    (found != kinds.end() ? *found : kinds.emplace_back(letters, std::vector<Curve>{})).second.push_back(c);
+    (found != kinds.end() ? *found : kinds.emplace_back(letters, std::vector<Trace>{})).second.push_back(c);
   }
   for (const auto& [letters, curves] : kinds) add_panel(f, a, "joints " + letters, "motion from home", "rad", curves);
 }
@@ -56,7 +56,7 @@ void add_matrices(Section& s, const Analysis& a) {
   int sample = 0;
   while (sample < a.samples() && a.outcome(sample) != Outcome::good) ++sample;
   if (sample == a.samples()) return;
-  const Eigen::VectorXd q = a.scenario().motion.value.row(sample);
+  const Eigen::VectorXd q = a.trajectory().value.row(sample);
   const std::vector<Eigen::MatrixXd> all = a.machine().matrices({q.data(), static_cast<std::size_t>(q.size())}, a.pose(sample));
   for (std::size_t i = 0; i < all.size(); ++i) {
     const SourceMatrix& m = t.matrices[i];
@@ -91,7 +91,7 @@ Section displacement_section(const Analysis& a) {
   std::string dependent;
   for (const Derived& d : t.derived)
     if (d.dependent) dependent += fmt::format("{}{} ({})", dependent.empty() ? "" : ", ", symbol(d.name), d.title);
-  const bool driven = a.scenario().motion.by_actuators;
+  const bool driven = a.scenario().motion->by_actuators();
   std::string words =
       driven ? fmt::format("The scenario prescribes the {} actuators; the pose of the platform follows by forward displacement from home.",
                            a.machine().dof())
@@ -200,9 +200,9 @@ std::vector<Section> overview_section(const Analysis& a) {
   const auto asked = [&](const char* kind) { return a.scenario().asks_for(kind); };
   const auto add_forces = [&](const char* section, const char* group_name, bool constraints, const std::string& words) {
     for (const std::string unit : {"N", "N*m"}) {
-      std::vector<Curve> forces = group(a, section, group_name, unit);
+      std::vector<Trace> forces = group(a, section, group_name, unit);
       if (constraints)
-        for (const Curve& c : group(a, section, "constraint", unit)) forces.push_back(c);
+        for (const Trace& c : group(a, section, "constraint", unit)) forces.push_back(c);
       const std::string kind = unit == "N" ? "force" : "moment";
       add_panel(f, a, kind + "s" + words, kind, unit, forces);
     }

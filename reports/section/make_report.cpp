@@ -44,12 +44,17 @@ std::vector<Paragraph> summary(const Analysis& a, const Report& r) {
     return lines;
   };
   const auto tell = [&](const std::string& text) { out.push_back({Paragraph::Tone::plain, text}); };
-  const scenario::Motion& motion = a.scenario().motion;
-  if (motion.until_singularity && !motion.ending.empty() && motion.value.bottomRows<1>().allFinite())
+  if (!a.scenario().motion) {
+    tell(fmt::format("No motion is prescribed; {} degrees of freedom.", a.machine().dof()));
+    return out;
+  }
+  const scenario::MotionRequest& motion = *a.scenario().motion;
+  const std::string& ending = a.trajectory().ending;
+  if (motion.until_singularity && !ending.empty() && a.trajectory().reaches(a.samples() - 1))
     out.push_back({Paragraph::Tone::note, fmt::format("The motion lasts to t = {}, not to the {} asked for, as the scenario allows: it {}.",
-                                                      show_time(a, a.samples() - 1), show(motion.asked, "s"), motion.ending)});
+                                                      show_time(a, a.samples() - 1), show(motion.end, "s"), ending)});
   tell(fmt::format("{} over {}, {} degrees of freedom.", plural(a.samples(), "sample"), show_time(a, a.samples() - 1), a.machine().dof()));
-  tell(fmt::format("Motion: {}.", joined(a.scenario().motion.description)));
+  tell(fmt::format("Motion: {}.", joined(motion.description)));
   tell(fmt::format("Load on the platform: {}.", joined(a.scenario().load.description)));
   return out;
 }
@@ -68,14 +73,15 @@ void add_values(Report& r, const Analysis& a, const std::string& section) {
 
 }  // namespace
 
-Report make_report(const scenario::Scenario& s, const mechanics::Machine& m, const std::string& version, const std::string& build,
-                   const Progress& progress) {
-  progress.say(fmt::format("{} samples of {}", s.motion.time.size(), m.info().name));
+Report make_report(const scenario::Loaded& loaded, const std::string& version, const std::string& build, const Progress& progress) {
+  const scenario::Scenario& s = loaded.scenario;
+  const mechanics::Machine& m = *loaded.machine;
+  progress.say(s.motion ? fmt::format("{} samples of {}", loaded.trajectory.samples(), m.info().name) : m.info().name);
   scene::Studio studio;
   const auto pictures = {"mechanism", "snapshots", "singularity", "assembly"};
   if (std::any_of(pictures.begin(), pictures.end(), [&](const char* kind) { return s.asks_for(kind); }))
     studio.prepare();  // while the analysis runs
-  const Analysis a(s, m, progress);
+  const Analysis a(s, loaded.trajectory, m, analysis::asked_by(s), progress);
 
   Report r;
   r.title = s.title;

@@ -1,6 +1,8 @@
 // The kinds of sections. Each turns the analysis into figures, tables, sentences and evidence; none opens a file.
 #pragma once
 
+#include <core/analysis/study/reduce.hpp>
+#include <core/scenario/loaded.hpp>
 #include <reports/document/report.hpp>
 #include <reports/scene/studio.hpp>
 #include <reports/section/common/analysis.hpp>
@@ -21,6 +23,8 @@ class Stage {
     document::Picture wait();
   };
   Ordered picture(int sample, const scenario::View& view, const scenario::SectionRequest& r, const std::string& id) const;
+  // The same of the home pose; without path and load, which are of a motion.
+  Ordered picture_at_home(const scenario::View& view, const scenario::SectionRequest& r, const std::string& id) const;
   Ordered portrait(const std::string& id) const;  // the home pose, with labels and frames
   // Any pose of a machine of this mechanism, framed by `bounds`: pictures that are to compare share them.
   Ordered picture(const mechanics::Machine& machine, const mechanics::Pose& pose, const scene::Extras& extras, const scene::Bounds& bounds,
@@ -59,12 +63,7 @@ Result speed_section(const Analysis& a);
 // `values`: those of all other sections.
 Result comparison_section(const Analysis& a, const scenario::SectionRequest& r, const std::vector<document::Value>& values);
 
-// One number of the report, and where it was found.
-struct Number {
-  double value = std::numeric_limits<double>::quiet_NaN();
-  int sample = -1;     // -1: not at a single sample
-  std::string column;  // of a group, the one that counts
-};
+using analysis::Number;
 // `largest`: of a group the largest column counts, else the smallest.
 Number measure(const Analysis& a, const scenario::Measured& m, const std::vector<document::Value>& values, bool largest = true);
 
@@ -75,7 +74,7 @@ std::vector<document::Section> overview_section(const Analysis& a);
 std::vector<document::Check> evaluate_checks(const Analysis& a, const std::vector<document::Value>& values);
 
 // The whole report. `build` is the plugin's, `version` the program's.
-document::Report make_report(const scenario::Scenario& s, const mechanics::Machine& m, const std::string& version, const std::string& build,
+document::Report make_report(const scenario::Loaded& loaded, const std::string& version, const std::string& build,
                              const Progress& progress);
 
 }  // namespace pmreport::section

@@ -1,9 +1,8 @@
-// The run of a scenario: limits, reach, singular surfaces, and what is said of them. The mechanism is a slide with a turntable, whose
+// The run of a scenario: limits, reach, and what is computed. The mechanism is a slide with a turntable, whose
 // numbers can be worked out by hand.
 #include <catch2/catch.hpp>
 
-#include <reports/section/common/words.hpp>
-#include <reports/section/section.hpp>
+#include <core/analysis/analysis.hpp>
 #include <tests/scenario/trial.hpp>
 
 #include <cmath>
@@ -14,9 +13,10 @@ namespace {
 
 struct Run {
   explicit Run(const std::string& text)
-      : loaded(scenario::load_text(text, "a.toml", stage::source())), analysis(loaded.scenario, *loaded.machine, {}) {}
+      : loaded(scenario::load_text(text, "a.toml", stage::source())),
+        analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
   scenario::Loaded loaded;
-  section::Analysis analysis;
+  analysis::Analysis analysis;
 };
 
 const std::string feeler_too_far = R"toml(title = "Stage"
@@ -37,11 +37,17 @@ kind = "displacement"
 TEST_CASE("a broken stroke keeps its values and is told with time, value and limit") {
   const Run r(trial::with("20 mm * sin(2*pi*t/10 s)", "300 mm * t / 1 s"));  // passes 500 mm after 1.667 s, samples every 0.1 s
   REQUIRE(r.analysis.breaches().size() == 1);
-  CHECK(section::sentence(r.analysis, r.analysis.breaches()[0]) ==
-        "t = 1.7 s to 2 s: q (slide) needs 600 mm, its stroke ends at 500 mm (worst at t = 2 s, 4 samples).");
+  const analysis::LimitBreach& b = r.analysis.breaches()[0];
+  CHECK(b.subject == "q (slide)");
+  CHECK(b.samples == std::vector<int>{17, 18, 19, 20});
+  CHECK(b.worst == 20);
+  CHECK(b.value == Approx(0.6));
+  CHECK(b.limit == 0.5);
+  CHECK(b.above);
+  CHECK(b.stroke);
   CHECK(r.analysis.column("q").back() == Approx(0.6));
   CHECK(r.analysis.broken().size() == 1);
-  CHECK(r.analysis.count(section::Outcome::good) == 21);
+  CHECK(r.analysis.count(analysis::Outcome::good) == 21);
 }
 
 TEST_CASE("a limit that is met exactly is kept") {
@@ -50,23 +56,25 @@ TEST_CASE("a limit that is met exactly is kept") {
 
 TEST_CASE("an unreachable sample has no value in any column and is told with the mechanism's own reason") {
   const Run r(feeler_too_far);  // the feeler ends at 200 mm: from 1.4 s on it is too short
-  CHECK(r.analysis.count(section::Outcome::unreachable) == 7);
+  CHECK(r.analysis.count(analysis::Outcome::unreachable) == 7);
   CHECK(std::isnan(r.analysis.column("phi").back()));
   CHECK(std::isnan(r.analysis.column("x_rate").back()));
   CHECK(std::isfinite(r.analysis.column("phi")[13]));
-  const auto told = section::reach_sentences(r.analysis);
-  REQUIRE(told.size() == 1);
-  CHECK(told[0] == "t = 1.4 s to 2 s: the mechanism cannot be assembled (7 samples): the feeler is too short.");
+  REQUIRE(r.analysis.unreachable().size() == 1);
+  CHECK(r.analysis.unreachable()[0].first == 14);
+  CHECK(r.analysis.unreachable()[0].last == 20);
+  CHECK(r.analysis.why(14) == "the feeler is too short");
 }
 
 TEST_CASE("every residual of a sound mechanism is rounding") {
-  const Run r(trial::with_more("[[section]]\nkind = \"statics\"\n"));
-  for (std::size_t m = 0; m < static_cast<std::size_t>(section::Measure::count); ++m) {
+  const Run r(
+      trial::with_more("[[section]]\nkind = \"velocity\"\n[[section]]\nkind = \"acceleration\"\n[[section]]\nkind = \"statics\"\n"));
+  for (std::size_t m = 0; m < static_cast<std::size_t>(analysis::Measure::count); ++m) {
     CAPTURE(m);
-    const section::Worst w = r.analysis.worst(static_cast<section::Measure>(m));
+    const analysis::Worst w = r.analysis.worst(static_cast<analysis::Measure>(m));
     CHECK(w.value < 1e-9);
-    const bool stated = static_cast<section::Measure>(m) != section::Measure::source;  // this mechanism's source states no matrices
-    const bool in_motion = static_cast<section::Measure>(m) >= section::Measure::newton_euler;  // nothing asks for forces in motion
+    const bool stated = static_cast<analysis::Measure>(m) != analysis::Measure::source;  // this mechanism's source states no matrices
+    const bool in_motion = static_cast<analysis::Measure>(m) >= analysis::Measure::newton_euler;  // nothing asks for forces in motion
     CHECK(w.compared == (stated && !in_motion ? 21 : 0));
   }
 }
@@ -86,11 +94,29 @@ TEST_CASE("the nearest sample stands for a time between two") {
   CHECK(r.analysis.sample_at(99) == 20);
 }
 
-TEST_CASE("names of the program become symbols of the field") {
-  CHECK(section::symbol("l1") == "l₁");
-  CHECK(section::symbol("alpha") == "α");
-  CHECK(section::symbol("rho12") == "ρ₁₂");
-  CHECK(section::symbol("det_G") == "det G");
-  CHECK(section::typographic("kg*m^2") == "kg·m²");
-  CHECK(section::typeset("-1.2e-4") == "−1.2e−4");
+TEST_CASE("what no section shows is not computed") {
+  const Run r{std::string(trial::sound)};  // displacement alone
+  using analysis::Measure;
+  CHECK(r.analysis.worst(Measure::gap).compared == 21);
+  for (const Measure m : {Measure::velocity, Measure::difference_rate, Measure::difference_acceleration, Measure::statics, Measure::judge})
+    CHECK(r.analysis.worst(m).compared == 0);
+  CHECK(std::isnan(r.analysis.column("q_force")[4]));
+  CHECK_FALSE(r.analysis.has_dynamics());
+}
+
+TEST_CASE("limits ask for forces in motion, and for no evidence of them") {
+  const Run r(trial::with_more("[limits]\nactuator_force = { q = \"1 kN\" }\n"));
+  CHECK(r.analysis.has_dynamics());
+  CHECK(std::isfinite(r.analysis.column("q_dynamic_force")[4]));
+  CHECK(r.analysis.worst(analysis::Measure::newton_euler).compared == 0);
+  CHECK_FALSE(r.analysis.has("P_force"));
+}
+
+TEST_CASE("without a motion a run knows the machine at home and no sample") {
+  const Run r("title = \"Stage\"\n[mechanism]\nuse = \"stage\"\n[[section]]\nkind = \"mobility\"\n");
+  CHECK(r.analysis.samples() == 0);
+  CHECK(r.analysis.breaches().empty());
+  CHECK(r.analysis.crossings().empty());
+  CHECK(r.analysis.unreachable().empty());
+  CHECK(r.analysis.length() > 0);
 }

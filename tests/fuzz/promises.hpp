@@ -14,11 +14,12 @@ inline std::string broken_by_scenario(const std::string& text) {
   using namespace pmreport::scenario;
   try {
     const Loaded loaded = load_text(text, "fuzz.toml", stage::source());
-    const Motion& m = loaded.scenario.motion;
+    const pmreport::mechanics::Trajectory& m = loaded.trajectory;
     if (loaded.machine == nullptr) return "a scenario without a machine";
-    if (m.time.size() < 2) return "a motion without samples";
+    if (loaded.scenario.motion.has_value() != !m.time.empty()) return "samples without a motion, or a motion without samples";
+    if (m.time.size() == 1) return "a motion of one sample";
     for (const Eigen::MatrixXd* part : {&m.value, &m.rate, &m.acceleration}) {
-      if (part->rows() != static_cast<Eigen::Index>(m.time.size()) || part->cols() != loaded.machine->dof())
+      if (part->rows() != static_cast<Eigen::Index>(m.time.size()) || (!m.time.empty() && part->cols() != loaded.machine->dof()))
         return "a motion of another size";
       if (!part->allFinite() && m.ending.empty()) return "a motion that is not finite, without a reason";
     }

@@ -64,11 +64,11 @@ below = "10 mm"
   REQUIRE(loaded.machine);
   CHECK(loaded.machine->values() == s.parameters);
 
-  CHECK(s.motion.time == std::vector<double>{0, 2.5, 5, 7.5, 10});
-  CHECK(s.motion.value(4, 0) == Approx(0.02));
-  CHECK(s.motion.rate(2, 0) == Approx(0.002));
-  CHECK(s.motion.value(4, 1) == 0);
-  CHECK(s.motion.description == "x = 20 mm * t/10 s\nphi = 0° (home)");
+  CHECK(loaded.trajectory.time == std::vector<double>{0, 2.5, 5, 7.5, 10});
+  CHECK(loaded.trajectory.value(4, 0) == Approx(0.02));
+  CHECK(loaded.trajectory.rate(2, 0) == Approx(0.002));
+  CHECK(loaded.trajectory.value(4, 1) == 0);
+  CHECK(s.motion->description == "x = 20 mm * t/10 s\nphi = 0° (home)");
 
   REQUIRE(s.load.force.size() == 5);
   CHECK(s.load.force[4] == Eigen::Vector3d(0, 10, -10));
@@ -112,7 +112,7 @@ TEST_CASE("load and snapshots have sane defaults") {
   const Scenario& s = loaded.scenario;
   CHECK(s.load.gravity == Eigen::Vector3d(0, 0, 0));
   CHECK(s.load.description == "no gravity: the bodies are weightless");
-  CHECK(s.load.force.size() == s.motion.time.size());
+  CHECK(s.load.force.size() == loaded.trajectory.time.size());
   REQUIRE(s.sections.size() == 1);
   CHECK(s.sections[0].times == std::vector<double>{0});
   REQUIRE(s.sections[0].views.size() == 1);

@@ -2,7 +2,7 @@
 // stands at height y = r sin(phi). Either phi or y is the independent one; the other follows.
 #pragma once
 
-#include <core/scenario/scenario.hpp>
+#include <core/scenario/loaded.hpp>
 #include <pmreport/mechanism.hpp>
 
 namespace stage {

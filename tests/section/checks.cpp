@@ -14,7 +14,8 @@ namespace {
 std::vector<document::Check> checks(const std::string& more) {
   const std::string text = trial::with("20 mm * sin(2*pi*t/10 s)", "10 mm * t / 1 s") + more;
   const scenario::Loaded loaded = scenario::load_text(text, "a.toml", stage::source());
-  return section::evaluate_checks(section::Analysis(loaded.scenario, *loaded.machine, {}), {});
+  return section::evaluate_checks(
+      section::Analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}), {});
 }
 
 document::Check check(const std::string& that, const std::string& bound) {
@@ -57,7 +58,8 @@ TEST_CASE("every report demands reach, limits and regular poses of its motion") 
 
   const scenario::Loaded broken =
       scenario::load_text(trial::with("20 mm * sin(2*pi*t/10 s)", "300 mm * t / 1 s"), "a.toml", stage::source());
-  const auto demands = section::evaluate_checks(section::Analysis(broken.scenario, *broken.machine, {}), {});
+  const auto demands = section::evaluate_checks(
+      section::Analysis(broken.scenario, broken.trajectory, *broken.machine, analysis::asked_by(broken.scenario), {}), {});
   CHECK(demands[0].passed);
   CHECK_FALSE(demands[1].passed);
   CHECK(demands[1].measured == "4 of 21 samples");

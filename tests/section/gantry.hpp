@@ -6,7 +6,9 @@
 // through, and the couple about Z, which the hinge does, is a self-stress: four of them. The drive moves both masses.
 #pragma once
 
-#include <core/scenario/scenario.hpp>
+#include <catch2/catch.hpp>
+
+#include <core/scenario/loaded.hpp>
 #include <pmreport/mechanism.hpp>
 #include <reports/section/section.hpp>
 #include <tests/scenario/only.hpp>
@@ -63,7 +65,7 @@ struct Run {
                                    "x = \"50 mm * sin(2*pi*t/2 s)\"\n" +
                                        more,
                                    "a.toml", source())),
-        analysis(loaded.scenario, *loaded.machine, {}) {}
+        analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
   scenario::Loaded loaded;
   section::Analysis analysis;
 };

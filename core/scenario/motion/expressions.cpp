@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <core/scenario/expression/integral.hpp>
-#include <core/scenario/parts.hpp>
+#include <core/scenario/motion/laws.hpp>
 #include <core/text/text.hpp>
 #include <memory>
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view rate_suffix = "_rate";
 
-Curve at_home(const Moved& m) {
+Law at_home(const Moved& m) {
   const double home = m.home;
   const DisplayUnit unit = display_unit(m.unit, home);
   return {m.name,
@@ -21,7 +21,7 @@ Curve at_home(const Moved& m) {
 }
 
 // From a rate: the value is its integral from home, the acceleration its exact derivative.
-Curve from_rate(const Moved& m, Written written, const std::vector<double>& times) {
+Law from_rate(const Moved& m, Written written, const std::vector<double>& times) {
   const auto rate = std::make_shared<const Expression>(std::move(written.expression));
   const auto value = std::make_shared<const Integral>([rate](double t) { return rate->at(t).value; }, m.home, times);
   return {m.name, written.place,
@@ -50,22 +50,6 @@ std::string names_of(const std::vector<Moved>& list) {
 
 }  // namespace
 
-std::string without_rate(const std::string& name) {
-  return name.ends_with(rate_suffix) ? name.substr(0, name.size() - rate_suffix.size()) : name;
-}
-
-Movables::Movables(const MechanismPart& mechanism) {
-  for (const Coordinate& c : mechanism.topology->coordinates) coordinates.push_back({c.name, c.unit, c.home});
-  for (std::size_t i = 0; i < mechanism.topology->actuators.size(); ++i) {
-    const Actuator& a = mechanism.topology->actuators[i];
-    // Without a machine nothing will be followed; the middle of the stroke is as good as any value then.
-    const double home = mechanism.machine != nullptr
-                            ? mechanism.machine->home_pose().numbers[mechanism.machine->layout().actuator(static_cast<int>(i))]
-                            : 0.5 * (a.stroke.min + a.stroke.max);
-    actuators.push_back({a.name, a.unit, home});
-  }
-}
-
 std::optional<Prescribed> prescribed(const std::vector<Named>& names, const Movables& movables, bool suffix, const Refuse& refuse) {
   const Named* first[2] = {nullptr, nullptr};  // a coordinate, an actuator
   for (const Named& n : names) {
@@ -85,15 +69,15 @@ std::optional<Prescribed> prescribed(const std::vector<Named>& names, const Mova
   return Prescribed{by_actuators, by_actuators ? &movables.actuators : &movables.coordinates};
 }
 
-std::optional<Curves> read_expressions(const Value& motion, const Movables& movables, const std::vector<double>& times,
-                                       const Reader& reader) {
+std::optional<Laws> read_expressions(const Value& motion, const Movables& movables, const std::vector<double>& times,
+                                     const Reader& reader) {
   Diagnostics& diagnostics = reader.diagnostics();
   std::vector<Named> names;
   for (const Entry& e : motion.entries) names.push_back({e.key, e.place});
   const auto kind = prescribed(names, movables, true, [&](Place place, const std::string& message, const std::string& hint) {
     diagnostics.add(place, message, hint);
   });
-  Curves out;
+  Laws out;
   bool sound = kind.has_value();
   for (const std::vector<Moved>* list : {&movables.coordinates, &movables.actuators}) {
     const bool meant = kind && list == kind->moved;
@@ -111,12 +95,12 @@ std::optional<Curves> read_expressions(const Value& motion, const Movables& mova
       if (!meant) continue;
       if (by_value) {
         const std::string description = fmt::format("{} = {}", m.name, printable(by_value->text));
-        out.curves.push_back(
+        out.laws.push_back(
             {m.name, by_value->place, [expression = std::move(by_value->expression)](double t) { return expression.at(t); }, description});
       } else if (by_rate) {
-        out.curves.push_back(from_rate(m, std::move(*by_rate), times));
+        out.laws.push_back(from_rate(m, std::move(*by_rate), times));
       } else {
-        out.curves.push_back(at_home(m));
+        out.laws.push_back(at_home(m));
       }
     }
   }

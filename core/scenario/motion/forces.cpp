@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <core/mechanics/forward_dynamics/forward_dynamics.hpp>
-#include <core/scenario/parts.hpp>
+#include <core/scenario/motion/forces.hpp>
 #include <core/text/text.hpp>
 #include <memory>
 
@@ -122,20 +121,6 @@ double force_at(const Forces::Force& force, std::size_t own, double t, const std
   return force.expression.at(t, variables).value;
 }
 
-// Forces without a finite value where the motion begins are told where they stand.
-bool finite_at_start(const Forces& forces, const mechanics::Machine& machine, double t, Diagnostics& diagnostics) {
-  mechanics::State state;
-  const Eigen::VectorXd still = Eigen::VectorXd::Zero(machine.dof());
-  evaluate(machine, forces.start.data(), forces.start_rate.data(), still.data(), state);
-  bool sound = true;
-  for (std::size_t i = 0; i < forces.forces.size() && state.status == PM_OK; ++i)
-    if (forces.forces[i])
-      sound = finite(force_at(*forces.forces[i], i, t, state.actuators), t, forces.forces[i]->place,
-                     "the force of " + machine.topology().actuators[i].name, diagnostics) &&
-              sound;
-  return sound;
-}
-
 }  // namespace
 
 std::optional<Forces> read_forces(const Value& motion, Place place, const MechanismPart& mechanism, const Movables& movables,
@@ -179,49 +164,24 @@ std::optional<Forces> read_forces(const Value& motion, Place place, const Mechan
   return out;
 }
 
-std::optional<Motion> forced(const Forces& forces, const Load& load, std::vector<double> times, const mechanics::Machine& machine,
-                             Diagnostics& diagnostics) {
-  if (!finite_at_start(forces, machine, times.front(), diagnostics)) return std::nullopt;
-  mechanics::ForwardProblem problem;
-  problem.actuator_forces = [forces = std::make_shared<const std::vector<std::optional<Forces::Force>>>(forces.forces)](
-                                double t, const std::vector<mechanics::Scalar>& actuators, double* out) {
+ActuatorForces all_of(const Forces& forces) {
+  return [forces = std::make_shared<const std::vector<std::optional<Forces::Force>>>(forces.forces)](
+             double t, const std::vector<mechanics::Scalar>& actuators, double* out) {
     for (std::size_t i = 0; i < forces->size(); ++i) out[i] = (*forces)[i] ? force_at(*(*forces)[i], i, t, actuators) : 0;
   };
-  problem.load = load.at;
-  problem.gravity = load.gravity;
-  problem.start = forces.start;
-  problem.start_rate = forces.start_rate;
-  problem.times = times;
-  mechanics::ForwardMotion way;
-  try {
-    way = mechanics::forward_dynamics(machine, problem);
-  } catch (const mechanics::MechanismError& e) {
-    if (e.status != PM_BAD_ARGUMENT) throw;
-    diagnostics.add(forces.place, fmt::format("the motion cannot begin: {}", printable(e.what())));
-    return std::nullopt;
-  }
+}
 
-  Motion out;
-  out.asked = times.back();
-  out.value = std::move(way.value);
-  out.rate = std::move(way.rate);
-  out.acceleration = std::move(way.acceleration);
-  out.at = std::move(way.at);
-  out.description = forces.description;
-  out.until_singularity = forces.until_singularity;
-  out.by_forces = true;
-  out.forces = problem.actuator_forces;
-  out.energy_drift = way.drift;
-  out.energy_drift_share = way.drift_share;
-  out.ending = printable(way.ending);
-  const auto beyond = std::upper_bound(times.begin(), times.end(), way.ended);
-  const auto reached = static_cast<std::size_t>(beyond - times.begin());
-  out.work = way.work[reached - 1];
-  out.time = std::move(times);
-  const bool allowed = (way.outcome == mechanics::Outcome::singular && forces.until_singularity) ||
-                       (way.outcome == mechanics::Outcome::at_limit && forces.until_limit);
-  if (allowed && !cut_off(out, reached, forces.place, diagnostics)) return std::nullopt;
-  return out;
+bool finite_at_start(const Forces& forces, const mechanics::Machine& machine, double t, Diagnostics& diagnostics) {
+  mechanics::State state;
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(machine.dof());
+  evaluate(machine, forces.start.data(), forces.start_rate.data(), still.data(), state);
+  bool sound = true;
+  for (std::size_t i = 0; i < forces.forces.size() && state.status == PM_OK; ++i)
+    if (forces.forces[i])
+      sound = finite(force_at(*forces.forces[i], i, t, state.actuators), t, forces.forces[i]->place,
+                     "the force of " + machine.topology().actuators[i].name, diagnostics) &&
+              sound;
+  return sound;
 }
 
 }  // namespace pmreport::scenario

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <core/scenario/motion/laws.hpp>
 #include <core/scenario/motion/spline.hpp>
-#include <core/scenario/parts.hpp>
 #include <core/scenario/read/csv.hpp>
 #include <core/text/text.hpp>
 #include <memory>
@@ -41,7 +41,7 @@ std::optional<std::filesystem::path> resolve(const std::string& given, Place pla
 
 }  // namespace
 
-std::optional<Curves> read_waypoints(const Entry& waypoints, bool quintic, const Movables& movables, const Reader& reader) {
+std::optional<Laws> read_waypoints(const Entry& waypoints, bool quintic, const Movables& movables, const Reader& reader) {
   Diagnostics& diagnostics = reader.diagnostics();
   const auto tables = tables_of(&waypoints, "motion.waypoint", reader);
   if (tables.empty()) return std::nullopt;
@@ -54,7 +54,7 @@ std::optional<Curves> read_waypoints(const Entry& waypoints, bool quintic, const
   if (!kind) return std::nullopt;
   const std::vector<Moved>& moved = *kind->moved;
   const std::size_t dof = moved.size();
-  Curves out{kind->by_actuators, {}, {}};
+  Laws out{kind->by_actuators, {}, {}};
   std::vector<std::vector<double>> values(dof);
   bool sound = true;
   for (const Value* waypoint : tables) {
@@ -92,13 +92,13 @@ std::optional<Curves> read_waypoints(const Entry& waypoints, bool quintic, const
                                     : quintic
                                         ? fmt::format("{}: quintic profile through {} waypoints, at rest in each", name, tables.size())
                                         : fmt::format("{}: cubic spline through {} waypoints, at rest at both ends", name, tables.size());
-    out.curves.push_back({name, waypoints.place, through(out.times, values[j], quintic, Ends::at_rest), description});
+    out.laws.push_back({name, waypoints.place, through(out.times, values[j], quintic, Ends::at_rest), description});
   }
   return out;
 }
 
-std::optional<Curves> read_motion_file(const Entry& entry, bool quintic, const Movables& movables, const std::filesystem::path& scenario,
-                                       const Reader& reader) {
+std::optional<Laws> read_motion_file(const Entry& entry, bool quintic, const Movables& movables, const std::filesystem::path& scenario,
+                                     const Reader& reader) {
   Diagnostics& diagnostics = reader.diagnostics();
   const auto given = reader.text(entry.value);
   const auto path = given ? resolve(*given, entry.value.place, scenario, diagnostics) : std::nullopt;
@@ -147,18 +147,18 @@ std::optional<Curves> read_motion_file(const Entry& entry, bool quintic, const M
       refuse({table->lines[i], 1}, fmt::format("expected a time after the row before, {} s, seen {} s",
                                                format_number(time->values[i - 1], 9), format_number(time->values[i], 9)));
   if (!sound) return std::nullopt;
-  Curves out{kind->by_actuators, time->values, {}};
+  Laws out{kind->by_actuators, time->values, {}};
   for (std::size_t j = 0; j < columns.size(); ++j) {
     const Moved& c = moved[j];
     if (columns[j] == nullptr) {
-      out.curves.push_back(
+      out.laws.push_back(
           {c.name, entry.value.place, [home = c.home](double) { return Jet<double>(home); }, fmt::format("{}: home", c.name)});
       continue;
     }
     const std::string description =
         fmt::format("{}: {} through {} rows of {}", c.name, quintic ? "quintics, at rest in each," : "cubic spline", out.times.size(),
                     printable(*given));
-    out.curves.push_back(
+    out.laws.push_back(
         {c.name, entry.value.place, through(out.times, std::move(columns[j]->values), quintic, Ends::not_a_knot), description});
   }
   return out;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <core/scenario/parts.hpp>
+#include <core/scenario/motion/motion_part.hpp>
+#include <core/scenario/motion/solve.hpp>
 #include <core/text/text.hpp>
 
 namespace pmreport::scenario {
@@ -39,44 +40,12 @@ void refuse_expressions(const Value& table, const Movables& movables, const char
           diagnostics.add(e.place, fmt::format("{} is given twice: here and by the {}", m.name, instead), "keep one of the two");
 }
 
-std::vector<double> uniform(const Interval& interval, std::size_t samples) {
+std::vector<double> uniform(const TimeSpan& span, std::size_t samples) {
   std::vector<double> time(samples);
-  const double span = interval.end - interval.begin;
-  for (std::size_t i = 0; i < samples; ++i) time[i] = interval.begin + span * static_cast<double>(i) / static_cast<double>(samples - 1);
-  time.back() = interval.end;
+  const double length = span.end - span.begin;
+  for (std::size_t i = 0; i < samples; ++i) time[i] = span.begin + length * static_cast<double>(i) / static_cast<double>(samples - 1);
+  time.back() = span.end;
   return time;
-}
-
-// Nothing, told, where a curve has no finite value, rate or acceleration.
-std::optional<Motion> sampled(const std::vector<Curve>& curves, std::vector<double> time, Diagnostics& diagnostics) {
-  Motion out;
-  bool sound = true;
-  const auto rows = static_cast<Eigen::Index>(time.size()), columns = static_cast<Eigen::Index>(curves.size());
-  for (Eigen::MatrixXd* m : {&out.value, &out.rate, &out.acceleration}) m->resize(rows, columns);
-  for (Eigen::Index j = 0; j < columns; ++j) {
-    const Curve& curve = curves[static_cast<std::size_t>(j)];
-    out.description += (j > 0 ? "\n" : "") + curve.description;
-    for (Eigen::Index i = 0; i < rows; ++i) {
-      const double t = time[static_cast<std::size_t>(i)];
-      const Jet<double> x = curve.at(t);
-      if (!finite(x, t, curve.place, curve.name, diagnostics)) {
-        sound = false;
-        break;
-      }
-      out.value(i, j) = x.value, out.rate(i, j) = x.rate, out.acceleration(i, j) = x.acceleration;
-    }
-  }
-  if (!sound) return std::nullopt;
-  out.asked = time.back();
-  out.time = std::move(time);
-  out.at = [curves](double t, double* value, double* rate, double* acceleration) {
-    for (const Curve& curve : curves) {
-      const Jet<double> x = curve.at(t);
-      *value++ = x.value, *rate++ = x.rate, *acceleration++ = x.acceleration;
-    }
-    return true;
-  };
-  return out;
 }
 
 std::string names_of(const std::vector<Moved>& list) {
@@ -120,10 +89,10 @@ void refuse_unknown(const Value& content, const MechanismPart& mechanism, const 
       refuse_coordinate(e.place, e.key, mechanism, known, "[motion]", diagnostics, keys);
 }
 
-// The first curve that the user wrote.
-Place place_of(const Curves& curves, Place otherwise) {
-  for (const Curve& c : curves.curves)
-    if (c.place.line > 0) return c.place;
+// The first law that the user wrote.
+Place place_of(const Laws& laws, Place otherwise) {
+  for (const Law& law : laws.laws)
+    if (law.place.line > 0) return law.place;
   return otherwise;
 }
 
@@ -135,40 +104,25 @@ std::optional<double> read_duration(const Entry* entry, const Reader& reader) {
   return std::nullopt;
 }
 
-}  // namespace
-
-bool finite(const Jet<double>& x, double t, Place place, const std::string& what, Diagnostics& diagnostics) {
-  const char* missing = !std::isfinite(x.value)          ? "value"
-                        : !std::isfinite(x.rate)         ? "rate"
-                        : !std::isfinite(x.acceleration) ? "acceleration"
-                                                         : nullptr;
-  if (missing == nullptr) return true;
-  diagnostics.add(place, fmt::format("{} has no finite {} at t = {} s", what, missing, format_number(t, 6)));
-  return false;
+MotionRequest request_of(const Laws& laws) {
+  MotionRequest out;
+  out.by = laws.by_actuators ? MotionRequest::By::actuators : MotionRequest::By::coordinates;
+  for (const Law& law : laws.laws) out.description += (out.description.empty() ? "" : "\n") + law.description;
+  out.prescribed = [laws = laws.laws](double t, double* value, double* rate, double* acceleration) {
+    for (const Law& law : laws) {
+      const Jet<double> x = law.at(t);
+      *value++ = x.value, *rate++ = x.rate, *acceleration++ = x.acceleration;
+    }
+    return true;
+  };
+  return out;
 }
 
-void refuse_coordinate(Place place, const std::string& name, const MechanismPart& mechanism, const std::vector<std::string>& known,
-                       const std::string& where, Diagnostics& diagnostics, const std::string& keys) {
-  const std::string base = without_rate(name);
-  for (const Derived& d : mechanism.topology->derived) {
-    if (!d.dependent || d.name != base) continue;
-    std::string hint = "leave it out";
-    for (const auto& p : mechanism.info.parameters)
-      if (p.kind == PM_CHOICE && std::find(p.choices.begin(), p.choices.end(), base) != p.choices.end()) {
-        std::vector<std::string> others = p.choices;
-        std::erase(others, base);
-        hint += fmt::format(", or let another coordinate follow: {} = {} in [mechanism.parameters]", p.name, listed(others, "or", true));
-      }
-    diagnostics.add(place,
-                    fmt::format("{} is a dependent coordinate of {}: it follows from the others and cannot be given", base, mechanism.name),
-                    hint);
-    return;
-  }
-  diagnostics.add(place, fmt::format("unknown key {} in {}{}", in_quotes(name), where, did_you_mean(name, known)),
-                  keys.empty() ? fmt::format("the keys are {}", listed(known, "and")) : keys);
+void take(MotionRequest request, mechanics::Trajectory solved, MotionPart& part) {
+  part.request = std::move(request);
+  part.trajectory = std::move(solved);
+  part.span->end = part.trajectory.time.back();
 }
-
-namespace {
 
 MotionPart read_motion_from_forces(const Value& content, Place place, const MechanismPart& mechanism, const Load& load,
                                    const Reader& reader) {
@@ -178,26 +132,34 @@ MotionPart read_motion_from_forces(const Value& content, Place place, const Mech
   const Entry *samples_entry = table.need("samples", "samples = 501"), *duration_entry = table.need("duration", "duration = \"2 s\"");
   const std::size_t samples = samples_entry != nullptr ? read_samples(samples_entry->value, reader) : 0;
   const auto duration = read_duration(duration_entry, reader);
-  if (duration) part.interval = {0, *duration};
+  if (duration) part.span = {0, *duration};
   if (!mechanism.topology) return part;
   const Movables movables(mechanism);
   refuse_unknown_of_forces(content, movables, diagnostics);
   const auto forces = read_forces(content, place, mechanism, movables, reader);
   // An integration takes its time, and a load that is wrong would lead it elsewhere: it begins when all is sound that it stands on.
   if (!forces || !duration || samples == 0 || mechanism.machine == nullptr || !diagnostics.empty()) return part;
-  auto motion = forced(*forces, load, uniform(*part.interval, samples), *mechanism.machine, diagnostics);
-  if (!motion) return part;
-  part.motion = std::move(*motion);
-  part.interval->end = part.motion.time.back();
+  MotionRequest request;
+  request.by = MotionRequest::By::forces;
+  request.forces = all_of(*forces);
+  request.end = part.span->end;
+  request.until_singularity = forces->until_singularity;
+  request.description = forces->description;
+  auto solved = forced(*forces, request, load, uniform(*part.span, samples), *mechanism.machine, diagnostics);
+  if (solved) take(std::move(request), std::move(*solved), part);
   return part;
 }
 
 }  // namespace
 
-MotionPart read_motion(const Entry* entry, const MechanismPart& mechanism, const Load& load, const std::filesystem::path& scenario,
-                       const Reader& reader) {
+MotionPart read_motion(const Entry* entry, bool needed, const MechanismPart& mechanism, const Load& load,
+                       const std::filesystem::path& scenario, const Reader& reader) {
   Diagnostics& diagnostics = reader.diagnostics();
   MotionPart part;
+  if (entry == nullptr && !needed) {
+    part.span = TimeSpan{0, -1};
+    return part;
+  }
   if (entry == nullptr) {
     diagnostics.add(Place{}, "expected the table [motion], which is not there", "write [motion], duration = \"10 s\" and samples = 501");
     return part;
@@ -234,42 +196,42 @@ MotionPart read_motion(const Entry* entry, const MechanismPart& mechanism, const
   if (until != nullptr) reader.word(until->value, {"singularity"}, "what a motion may last until");
 
   if (!mechanism.topology) {
-    if (!by_points && duration) part.interval = {0, *duration};
+    if (!by_points && duration) part.span = {0, *duration};
     return part;
   }
   const Movables movables(mechanism);
   refuse_unknown(*content, mechanism, movables, diagnostics);
-  std::optional<Curves> curves;
+  std::optional<Laws> laws;
   std::vector<double> time;
   if (by_points) {
     refuse_expressions(*content, movables, file != nullptr ? "file" : "waypoints", diagnostics);
-    curves = file != nullptr ? read_motion_file(*file, quintic, movables, scenario, reader)
-                             : read_waypoints(*waypoints, quintic, movables, reader);
-    if (!curves) return part;
-    part.interval = {curves->times.front(), curves->times.back()};
-    if (duration && file == nullptr && *duration > part.interval->end)
+    laws = file != nullptr ? read_motion_file(*file, quintic, movables, scenario, reader)
+                           : read_waypoints(*waypoints, quintic, movables, reader);
+    if (!laws) return part;
+    part.span = {laws->times.front(), laws->times.back()};
+    if (duration && file == nullptr && *duration > part.span->end)
       diagnostics.add(duration_entry->value.place, fmt::format("expected at most the time of the last waypoint, {} s, seen {} s",
-                                                               format_number(part.interval->end, 6), format_number(*duration, 6)));
+                                                               format_number(part.span->end, 6), format_number(*duration, 6)));
     else if (duration && file == nullptr)
-      part.interval->end = *duration;
-    if (samples_entry == nullptr && file != nullptr) time = curves->times;
-    if (samples > 0) time = uniform(*part.interval, samples);
+      part.span->end = *duration;
+    if (samples_entry == nullptr && file != nullptr) time = laws->times;
+    if (samples > 0) time = uniform(*part.span, samples);
   } else {
-    if (duration) part.interval = {0, *duration};
-    if (duration && samples > 0) time = uniform(*part.interval, samples);
-    curves = read_expressions(*content, movables, time.empty() ? std::vector{0.0} : time, reader);
+    if (duration) part.span = {0, *duration};
+    if (duration && samples > 0) time = uniform(*part.span, samples);
+    laws = read_expressions(*content, movables, time.empty() ? std::vector{0.0} : time, reader);
   }
-  if (!curves || time.empty()) return part;
-  auto motion = sampled(curves->curves, std::move(time), diagnostics);
-  if (!motion || mechanism.machine == nullptr) return part;
-  if (curves->by_actuators) {
-    motion = followed(std::move(*motion), *mechanism.machine, until != nullptr, place_of(*curves, entry->place), diagnostics);
-    if (!motion) return part;
-  } else if (until != nullptr && !end_at_singularity(*motion, *mechanism.machine, until->place, diagnostics)) {
-    return part;
-  }
-  part.motion = std::move(*motion);
-  part.interval->end = part.motion.time.back();
+  if (!laws || time.empty()) return part;
+  MotionRequest request = request_of(*laws);
+  request.end = time.back();
+  request.until_singularity = until != nullptr;
+  auto solved = sampled(*laws, request, std::move(time), diagnostics);
+  if (!solved || mechanism.machine == nullptr) return part;
+  if (laws->by_actuators)
+    solved = followed(request, *solved, *mechanism.machine, place_of(*laws, entry->place), diagnostics);
+  else if (until != nullptr)
+    solved = end_at_singularity(std::move(*solved), *mechanism.machine, until->place, diagnostics);
+  if (solved) take(std::move(request), std::move(*solved), part);
   return part;
 }
 

@@ -1,7 +1,7 @@
 // Collects what is wrong with a file, so that all of it is told in one run.
 #pragma once
 
-#include <core/scenario/scenario.hpp>
+#include <core/scenario/diagnostic.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

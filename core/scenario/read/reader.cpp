@@ -22,6 +22,41 @@ bool is_number(const Value& v) { return v.kind == Value::Kind::integer || v.kind
 
 }  // namespace
 
+std::vector<const Value*> tables_of(const Entry* entry, const std::string& name, const Reader& reader) {
+  std::vector<const Value*> out;
+  if (entry == nullptr || entry->value.kind == Value::Kind::refused) return out;
+  if (entry->value.kind != Value::Kind::array) {
+    reader.diagnostics().add(entry->place, fmt::format("expected a list of tables, seen {}", name_of(entry->value)),
+                             fmt::format("write [[{}]] with two brackets, once for each", name));
+    return out;
+  }
+  for (const Value& item : entry->value.items) {
+    if (item.kind == Value::Kind::table)
+      out.push_back(&item);
+    else if (item.kind != Value::Kind::refused)
+      reader.diagnostics().add(item.place, fmt::format("expected a table [[{}]], seen {}", name, name_of(item)));
+  }
+  return out;
+}
+
+const Value* table_of(const Entry* entry, const std::string& name, const Reader& reader) {
+  if (entry == nullptr) return nullptr;
+  if (entry->value.kind == Value::Kind::table) return &entry->value;
+  if (entry->value.kind != Value::Kind::refused)
+    reader.diagnostics().add(entry->place, fmt::format("expected a table [{}], seen {}", name, name_of(entry->value)));
+  return nullptr;
+}
+
+bool finite(const Jet<double>& x, double t, Place place, const std::string& what, Diagnostics& diagnostics) {
+  const char* missing = !std::isfinite(x.value)          ? "value"
+                        : !std::isfinite(x.rate)         ? "rate"
+                        : !std::isfinite(x.acceleration) ? "acceleration"
+                                                         : nullptr;
+  if (missing == nullptr) return true;
+  diagnostics.add(place, fmt::format("{} has no finite {} at t = {} s", what, missing, format_number(t, 6)));
+  return false;
+}
+
 std::optional<std::string> Reader::text(const Value& v) const {
   if (v.kind == Value::Kind::text) return v.text;
   if (v.kind != Value::Kind::refused) diagnostics_.add(v.place, "expected a text in quotes, seen " + name_of(v));

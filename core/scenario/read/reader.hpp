@@ -44,6 +44,15 @@ class Reader {
   Diagnostics& diagnostics_;
 };
 
+// The tables of an array of tables, [[name]]; a single table or anything else is reported.
+std::vector<const Value*> tables_of(const Entry* entry, const std::string& name, const Reader& reader);
+
+// The value of `entry` when it is a table, else reported and nullptr.
+const Value* table_of(const Entry* entry, const std::string& name, const Reader& reader);
+
+// Reports the first time at which something has no finite value, rate or acceleration. True when it is finite.
+bool finite(const Jet<double>& x, double t, Place place, const std::string& what, Diagnostics& diagnostics);
+
 // One table. Every key that the reading code asks for is known; `finish` reports the others.
 class TableReader {
  public:

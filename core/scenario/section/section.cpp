@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <core/scenario/parts.hpp>
+#include <core/scenario/section/section_part.hpp>
 #include <core/text/text.hpp>
 
 namespace pmreport::scenario {
@@ -38,12 +38,38 @@ void match_tables(const std::vector<SectionRequest>& sections, const std::vector
 
 }  // namespace
 
-std::optional<double> read_time(const Value& value, const std::optional<Interval>& interval, const Reader& reader) {
+bool needs_motion(std::string_view kind) {
+  constexpr std::string_view all[] = {"displacement", "velocity", "acceleration", "statics", "dynamics", "drives", "reactions", "speed"};
+  return std::find(std::begin(all), std::end(all), kind) != std::end(all);
+}
+
+bool is_of_motion(std::string_view quantity) {
+  constexpr std::string_view all[] = {"singularity.crossings",         "singularity.smallest_singular_value",
+                                      "singularity.largest_condition", "singularity.line_rank",
+                                      "singularity.wrench_rank",       "assembly.nearest"};
+  return std::find(std::begin(all), std::end(all), quantity) != std::end(all);
+}
+
+// Only what is no section at all, or one that needs a motion, asks for it: a mistake in a kind is told by itself.
+bool need_motion(const Entry* sections) {
+  if (sections == nullptr || sections->value.items.empty()) return true;
+  const auto needs = [](const Value& section) {
+    return std::any_of(section.entries.begin(), section.entries.end(),
+                       [](const Entry& e) { return e.key == "kind" && e.value.kind == Value::Kind::text && needs_motion(e.value.text); });
+  };
+  return std::any_of(sections->value.items.begin(), sections->value.items.end(), needs);
+}
+
+std::optional<double> read_time(const Value& value, const std::optional<TimeSpan>& span, const Reader& reader) {
   const auto t = reader.quantity(value, {0, 0, 1, 0});
-  if (!t || !interval || (*t >= interval->begin && *t <= interval->end)) return t;
-  reader.diagnostics().add(value.place,
-                           fmt::format("expected a time within the motion, {} s to {} s, seen {} s", format_number(interval->begin, 6),
-                                       format_number(interval->end, 6), format_number(*t, 6)));
+  if (t && span && span->empty()) {
+    reader.diagnostics().add(value.place, "expected no time, for the scenario has no motion, seen one",
+                             "add [motion], duration = \"10 s\" and samples = 501, or leave out the time");
+    return std::nullopt;
+  }
+  if (!t || !span || (*t >= span->begin && *t <= span->end)) return t;
+  reader.diagnostics().add(value.place, fmt::format("expected a time within the motion, {} s to {} s, seen {} s",
+                                                    format_number(span->begin, 6), format_number(span->end, 6), format_number(*t, 6)));
   return std::nullopt;
 }
 
@@ -56,7 +82,7 @@ std::vector<Value> items_of(const Entry& entry, std::size_t most, const Reader& 
   return {};
 }
 
-std::vector<SectionRequest> read_sections(const Entry* entry, const std::optional<Interval>& interval, const MechanismPart& mechanism,
+std::vector<SectionRequest> read_sections(const Entry* entry, const std::optional<TimeSpan>& span, const MechanismPart& mechanism,
                                           const Sizing& sizing, const Reader& reader) {
   const auto tables = tables_of(entry, "section", reader);
   if (tables.empty() && (entry == nullptr || entry->value.kind == Value::Kind::array))
@@ -79,7 +105,7 @@ std::vector<SectionRequest> read_sections(const Entry* entry, const std::optiona
     }
     request.kind = kinds()[*index];
     if (request.kind == "snapshots") {
-      read_snapshots(table, interval, request);
+      read_snapshots(table, span, request);
     } else {
       const auto same = std::find_if(out.begin(), out.end(), [&](const SectionRequest& r) { return r.kind == request.kind; });
       if (same != out.end())
@@ -89,10 +115,15 @@ std::vector<SectionRequest> read_sections(const Entry* entry, const std::optiona
     if (request.kind == "mobility")
       if (const Entry* poses = table.find("poses"))
         request.random_poses = static_cast<int>(reader.integer(poses->value, 1, most_random_poses).value_or(request.random_poses));
-    if (request.kind == "singularity") read_singularity(table, mechanism, request);
-    if (request.kind == "dynamics") read_dynamics(table, interval, request);
+    if (request.kind == "singularity") {
+      read_singularity(table, mechanism, request);
+      if (span && span->empty() && request.poses.empty() && !request.map)
+        reader.diagnostics().add(content->place, "a section \"singularity\" has nothing to look at: there is no motion, no pose and no map",
+                                 "add poses or map to it, or [motion], duration = \"10 s\" and samples = 501");
+    }
+    if (request.kind == "dynamics") read_dynamics(table, span, request);
     if (request.kind == "reactions") read_reactions(table, mechanism, request);
-    if (request.kind == "assembly") read_assembly(table, interval, mechanism, request);
+    if (request.kind == "assembly") read_assembly(table, span, mechanism, request);
     if (request.kind == "comparison") {
       if (const Entry* e = table.find("source")) request.source = reader.text(e->value).value_or("");
       if (const Entry* e = table.need("row", "[[section.row]] with what, here, paper and tolerance")) rows.emplace_back(out.size(), e);
@@ -102,7 +133,7 @@ std::vector<SectionRequest> read_sections(const Entry* entry, const std::optiona
   }
   match_tables(out, kinds_at, sizing, reader);
   for (const auto& [index, entry_of_rows] : rows)
-    out[index].rows = read_comparison_rows(*entry_of_rows, {out, mechanism.topology, interval, sizing.drives}, reader);
+    out[index].rows = read_comparison_rows(*entry_of_rows, {out, mechanism.topology, span, sizing.drives}, reader);
   return out;
 }
 

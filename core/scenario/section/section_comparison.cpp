@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <core/scenario/parts.hpp>
+#include <core/scenario/section/section_part.hpp>
 #include <core/text/text.hpp>
 
 namespace pmreport::scenario {

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <core/scenario/parts.hpp>
+#include <core/scenario/section/section_part.hpp>
 #include <core/text/text.hpp>
 
 namespace pmreport::scenario {
@@ -21,10 +21,10 @@ void add_once(std::vector<T>& list, const T& x, const Value& item, const Reader&
 
 }  // namespace
 
-void read_dynamics(TableReader& table, const std::optional<Interval>& interval, SectionRequest& request) {
+void read_dynamics(TableReader& table, const std::optional<TimeSpan>& span, SectionRequest& request) {
   if (const Entry* e = table.find("equations"))
     for (const Value& item : items_of(*e, most_equations, table.read()))
-      if (const auto t = read_time(item, interval, table.read())) add_once(request.equations, *t, item, table.read());
+      if (const auto t = read_time(item, span, table.read())) add_once(request.equations, *t, item, table.read());
 }
 
 void read_reactions(TableReader& table, const MechanismPart& mechanism, SectionRequest& request) {

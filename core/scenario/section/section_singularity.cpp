@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <core/scenario/parts.hpp>
+#include <core/scenario/section/section_part.hpp>
 #include <core/text/text.hpp>
 
 namespace pmreport::scenario {
@@ -128,11 +128,11 @@ void read_singularity(TableReader& table, const MechanismPart& mechanism, Sectio
   if (map != nullptr) request.map = read_map(*map, mechanism, reader);
 }
 
-void read_assembly(TableReader& table, const std::optional<Interval>& interval, const MechanismPart& mechanism, SectionRequest& request) {
+void read_assembly(TableReader& table, const std::optional<TimeSpan>& span, const MechanismPart& mechanism, SectionRequest& request) {
   const Reader& reader = table.read();
   const Entry *time = table.find("time"), *actuators = table.find("actuators"), *modes = table.find("working_modes");
-  request.time = interval ? interval->begin : 0;
-  if (time != nullptr) request.time = read_time(time->value, interval, reader).value_or(request.time);
+  request.time = span ? span->begin : 0;
+  if (time != nullptr) request.time = read_time(time->value, span, reader).value_or(request.time);
   if (modes != nullptr) request.working_modes = reader.boolean(modes->value).value_or(true);
   if (time != nullptr && actuators != nullptr)
     reader.diagnostics().add(actuators->place, "the actuator values are given twice: here and by a time of the motion",

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <core/scenario/parts.hpp>
+#include <core/scenario/section/section_part.hpp>
 #include <core/text/text.hpp>
 #include <numbers>
 
@@ -56,12 +56,12 @@ std::optional<View> read_view(const Value& value, const Reader& reader) {
 
 }  // namespace
 
-void read_snapshots(TableReader& table, const std::optional<Interval>& interval, SectionRequest& request) {
+void read_snapshots(TableReader& table, const std::optional<TimeSpan>& span, SectionRequest& request) {
   const Reader& reader = table.read();
   if (const Entry* e = table.find("times"))
-    for (const Value& item : items_of(*e, most_times, reader)) request.times.push_back(read_time(item, interval, reader).value_or(0));
-  else
-    request.times = {interval ? interval->begin : 0};
+    for (const Value& item : items_of(*e, most_times, reader)) request.times.push_back(read_time(item, span, reader).value_or(0));
+  else if (!span || !span->empty())  // else home
+    request.times = {span ? span->begin : 0};
   if (const Entry* e = table.find("views"))
     for (const Value& item : items_of(*e, most_views, reader)) {
       auto view = read_view(item, reader);

@@ -36,11 +36,12 @@ document::Table table_of(const Analysis& a, const AssemblyModes& found, bool has
   const Topology& t = a.machine().topology();
   const bool has_present =
       std::any_of(found.modes.begin(), found.modes.end(), [&](const AssemblyMode& m) { return m.distance < present * a.length(); });
-  document::Table table{std::string("Assembly modes, nearest to the pose of the motion first") +
-                            (has_present ? "; a dot marks the mode that the mechanism is in." : "."),
-                        {"", "mode"},
-                        {false, true},
-                        {}};
+  document::Table table{
+      std::string(a.samples() > 0 ? "Assembly modes, nearest to the pose of the motion first" : "Assembly modes, nearest to home first") +
+          (has_present ? "; a dot marks the mode that the mechanism is in." : "."),
+      {"", "mode"},
+      {false, true},
+      {}};
   std::vector<DisplayUnit> units;
   for (std::size_t i = 0; i < t.coordinates.size(); ++i) {
     double largest = 0;
@@ -135,7 +136,7 @@ class Along {  // the motion, and the modes that accompany it
  public:
   Along(const Analysis& a, const AssemblyModes& found, int start, const mechanics::AssemblyOptions& options)
       : a_(a), listed_(found.modes.size()) {
-    const scenario::Motion& motion = a.scenario().motion;
+    const mechanics::Trajectory& motion = a.trajectory();
     const int n = a.samples();
     std::vector<int> later;
     for (const int k : {n - 1, 0, n / 2})
@@ -265,14 +266,15 @@ Result assembly_section(const Analysis& a, const scenario::SectionRequest& r, co
   Result result{{"assembly", "assembly", "Assembly modes", {}}, {}, {}, {}};
   auto& blocks = result.section.blocks;
   const mechanics::Machine& m = a.machine();
-  const int sample = a.sample_at(r.time);
-  if (a.outcome(sample) == Outcome::unreachable) {
+  const bool moves = a.samples() > 0;
+  const int sample = moves ? a.sample_at(r.time) : -1;
+  if (moves && a.outcome(sample) == Outcome::unreachable) {
     blocks.push_back(Paragraph{Paragraph::Tone::warning,
                                fmt::format("t = {}: the mechanism cannot be assembled: {}.", show_time(a, sample), a.why(sample))});
     return result;
   }
-  const mechanics::Pose pose = a.pose(sample);
-  const Eigen::VectorXd reference = a.scenario().motion.value.row(sample);
+  const mechanics::Pose pose = moves ? a.pose(sample) : m.home_pose();
+  const Eigen::VectorXd reference = moves ? Eigen::VectorXd(a.trajectory().value.row(sample)) : m.home();
   const bool given = r.actuators.size() > 0;
   const Eigen::VectorXd here = Eigen::Map<const Eigen::VectorXd>(pose.numbers.data() + m.layout().actuator(0), m.dof());
   mechanics::AssemblyOptions options;
@@ -288,7 +290,10 @@ Result assembly_section(const Analysis& a, const scenario::SectionRequest& r, co
   }
   const auto tell = [&](const std::string& text) { blocks.push_back(Paragraph{Paragraph::Tone::plain, text}); };
   tell(fmt::format("The actuator values {} do not determine the pose alone: the mechanism can be assembled with them in several ways. {}{}",
-                   given ? "given" : "at t = " + show_time(a, sample), values + ". ", counted(found, has_words)));
+                   given   ? "given"
+                   : moves ? "at t = " + show_time(a, sample)
+                           : "at home",
+                   values + ". ", counted(found, has_words)));
   tell(fmt::format(
       "The distance between two poses is √(|Δp|² + (L·θ)²), with Δp the way of the reference point, θ the angle between the two "
       "orientations and L = {} the characteristic length.",
@@ -310,8 +315,10 @@ Result assembly_section(const Analysis& a, const scenario::SectionRequest& r, co
   proof.lines.push_back({"Joints meet in every mode", "joint centres as both bodies carry them, of the mechanism's size", gap, 1e-9, ""});
   proof.lines.push_back({"Joint axes agree in every mode", "axes as both bodies carry them", misalignment, 1e-9, "rad"});
   if (!given) {
-    proof.lines.push_back({"The pose of the motion is among the modes", "its distance from the nearest, by the characteristic length",
-                           nearest / a.length(), 1e-7, ""});
+    proof.lines.push_back({moves ? "The pose of the motion is among the modes" : "The home pose is among the modes",
+                           "its distance from the nearest, by the characteristic length", nearest / a.length(), 1e-7, ""});
+  }
+  if (!given && moves) {
     const Along along(a, found, sample, options);
     progress.stop_if_asked();
     if (along.any()) {

@@ -7,11 +7,11 @@ namespace pmreport::section {
 
 using analysis::Analysis;
 using analysis::Crossing;
-using analysis::Interval;
 using analysis::LimitBreach;
 using analysis::Measure;
 using analysis::Outcome;
 using analysis::Progress;
+using analysis::SampleRun;
 using analysis::Worst;
 using mechanics::Indeterminate;
 

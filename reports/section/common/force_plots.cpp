@@ -11,14 +11,14 @@
 
 namespace pmreport::section {
 
-std::vector<Curve> of_actuators(const Analysis& a, const std::string& suffix, const std::string& unit) {
-  std::vector<Curve> out;
+std::vector<Trace> of_actuators(const Analysis& a, const std::string& suffix, const std::string& unit) {
+  std::vector<Trace> out;
   for (const Actuator& x : a.machine().topology().actuators)
     if ((unit.empty() || x.unit == unit) && a.has(x.name + suffix)) out.push_back({x.name + suffix, symbol(x.name)});
   return out;
 }
 
-std::vector<Curve> of_actuators(const Analysis& a, const std::string& suffix) { return of_actuators(a, suffix, ""); }
+std::vector<Trace> of_actuators(const Analysis& a, const std::string& suffix) { return of_actuators(a, suffix, ""); }
 
 void add_limit_lines(figure::Panel& p, const Analysis& a, const std::vector<double>& limits, const std::string& unit, double per_si) {
   std::map<double, std::string> names;  // of each bound, whom it binds
@@ -41,7 +41,7 @@ void add_limit_lines(figure::Panel& p, const Analysis& a, const std::vector<doub
 
 figure::Panel share_panel(const Analysis& a, const std::string& title, const std::string& axis, const std::string& unit,
                           const std::vector<Share>& shares, bool keys) {
-  std::vector<Curve> curves;
+  std::vector<Trace> curves;
   for (const Share& s : shares) curves.push_back({s.column, keys ? s.label : ""});
   figure::Panel p = panel(a, title, axis, unit, curves);
   for (std::size_t i = 0; i < shares.size(); ++i) p.series[i].style = shares[i].style;
@@ -50,24 +50,6 @@ figure::Panel share_panel(const Analysis& a, const std::string& title, const std
 
 std::string effort(const std::string& actuator_unit) { return actuator_unit == "m" ? "force" : "torque"; }
 std::string effort_unit(const std::string& actuator_unit) { return actuator_unit == "m" ? "N" : "N*m"; }
-
-Peak peak(const Analysis& a, const std::string& column) {
-  Peak out;
-  const std::vector<double>& x = a.column(column);
-  for (int k = 0; k < a.samples(); ++k) {
-    const double value = x[static_cast<std::size_t>(k)];
-    if (std::isfinite(value) && (out.sample < 0 || std::abs(value) > std::abs(out.value))) out = {k, value};
-  }
-  return out;
-}
-
-double rms(const Analysis& a, const std::string& column) {
-  double squares = 0;
-  int count = 0;
-  for (const double x : a.column(column))
-    if (std::isfinite(x)) squares += x * x, ++count;
-  return count > 0 ? std::sqrt(squares / count) : std::numeric_limits<double>::quiet_NaN();
-}
 
 TableColumn::TableColumn(const std::string& title, const std::string& unit, const std::vector<double>& values) {
   double largest = 0;

@@ -1,6 +1,7 @@
 // Panels and tables of forces in motion that the sections `dynamics` and `drives` share.
 #pragma once
 
+#include <core/analysis/study/reduce.hpp>
 #include <core/text/units.hpp>
 #include <reports/section/common/plots.hpp>
 
@@ -10,8 +11,8 @@
 namespace pmreport::section {
 
 // The curves NAME_suffix of the actuators of a unit, "m" or "rad", labelled by their symbols; those that the run has.
-std::vector<Curve> of_actuators(const Analysis& a, const std::string& suffix, const std::string& unit);
-std::vector<Curve> of_actuators(const Analysis& a, const std::string& suffix);  // of any unit
+std::vector<Trace> of_actuators(const Analysis& a, const std::string& suffix, const std::string& unit);
+std::vector<Trace> of_actuators(const Analysis& a, const std::string& suffix);  // of any unit
 
 // Lines at both signs of the finite `limits` (one an actuator, SI) of the actuators of a unit; those alike in one. `per_si`: the panel's.
 void add_limit_lines(figure::Panel& p, const Analysis& a, const std::vector<double>& limits, const std::string& unit, double per_si);
@@ -30,14 +31,9 @@ figure::Panel share_panel(const Analysis& a, const std::string& title, const std
 std::string effort(const std::string& actuator_unit);       // "force", "torque"
 std::string effort_unit(const std::string& actuator_unit);  // "N", "N*m"
 
-// The sample with the largest magnitude in a column; value 0 and sample -1 where there is none.
-struct Peak {
-  int sample = -1;
-  double value = 0;  // with its sign
-};
-Peak peak(const Analysis& a, const std::string& column);
-// Root of the mean square over the samples that have a value; NaN where none has.
-double rms(const Analysis& a, const std::string& column);
+using analysis::peak;
+using analysis::Peak;
+using analysis::rms;
 
 // A column of a table: one SI unit, shown in the unit that reads best for its largest number.
 class TableColumn {

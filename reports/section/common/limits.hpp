@@ -1,6 +1,7 @@
 // What the motion asks of actuators and joints, against [limits] of the scenario.
 #pragma once
 
+#include <core/analysis/study/limits.hpp>
 #include <reports/section/common/analysis.hpp>
 
 #include <string>
@@ -8,20 +9,13 @@
 
 namespace pmreport::section {
 
-// A limit is kept when it is met exactly: a motion slowed down until it just keeps a limit must keep it, and not break it by rounding.
-constexpr double met_exactly = 1e-9;  // relative
+using analysis::count_limits;
+using analysis::limit_breaches;
+using analysis::LimitCount;
+using analysis::met_exactly;
 
-// Every limit that some sample breaks: the first to be broken in time first. The breach's subject tells what is limited: "force of l3
-// (length of limb 3)", "moment in joint B5".
-std::vector<LimitBreach> limit_breaches(const Analysis& a);
 // "t = 0.3 s to 0.42 s: torque of theta1 (arm 1) is 31.2 N·m, the limit is 25 N·m (worst at t = 0.36 s, 14 samples)."
 std::string limit_sentence(const Analysis& a, const LimitBreach& b);
 std::vector<std::string> limit_sentences(const Analysis& a);
-
-// Samples that have a value to hold against the limits, and how many of them break one.
-struct LimitCount {
-  int judged = 0, broken = 0;
-};
-LimitCount count_limits(const Analysis& a);
 
 }  // namespace pmreport::section

@@ -18,34 +18,34 @@ double shown(double x) { return std::abs(x) < rounding ? 0 : x; }
 }  // namespace
 
 figure::Panel panel(const Analysis& a, const std::string& title, const std::string& axis, const std::string& unit,
-                    const std::vector<Curve>& curves) {
+                    const std::vector<Trace>& curves) {
   std::vector<std::string> names;
-  for (const Curve& c : curves) names.push_back(c.column);
+  for (const Trace& c : curves) names.push_back(c.column);
   const DisplayUnit d = display_unit(unit, shown(a.largest(names)));
   figure::Panel p;
   p.title = title;
   p.x = {"time", "s"};
   p.y = {axis, d.label};
-  for (const Curve& c : curves) {
+  for (const Trace& c : curves) {
     figure::Series s{c.label, a.time(), a.column(c.column), -1};
     for (double& y : s.y) y = shown(y) * d.per_si;
     p.series.push_back(std::move(s));
   }
   // A sample stands for the time halfway to its neighbours.
   const std::vector<double>& t = a.time();
-  const auto band = [&](const Interval& i, figure::Band::Kind kind) {
+  const auto band = [&](const SampleRun& i, figure::Band::Kind kind) {
     const auto first = static_cast<std::size_t>(i.first), last = static_cast<std::size_t>(i.last);
     const double from = first > 0 ? (t[first - 1] + t[first]) / 2 : t[first];
     const double to = last + 1 < t.size() ? (t[last] + t[last + 1]) / 2 : t[last];
     p.bands.push_back({from, to, kind});
   };
-  for (const Interval& i : a.broken()) band(i, figure::Band::Kind::limit);
-  for (const Interval& i : a.unreachable()) band(i, figure::Band::Kind::unreachable);
+  for (const SampleRun& i : a.broken()) band(i, figure::Band::Kind::limit);
+  for (const SampleRun& i : a.unreachable()) band(i, figure::Band::Kind::unreachable);
   return p;
 }
 
-std::vector<Curve> group(const Analysis& a, const std::string& section, const std::string& name, const std::string& unit) {
-  std::vector<Curve> out;
+std::vector<Trace> group(const Analysis& a, const std::string& section, const std::string& name, const std::string& unit) {
+  std::vector<Trace> out;
   const bool vector = name == "velocity" || name == "angular_velocity" || name == "acceleration" || name == "angular_acceleration";
   for (const Column& c : a.columns_of(section)) {
     if (c.group != name || (!unit.empty() && c.unit != (unit == "1" ? "" : unit))) continue;
@@ -55,10 +55,10 @@ std::vector<Curve> group(const Analysis& a, const std::string& section, const st
     out.push_back({c.name, symbol(stem)});
   }
   // x, y, z and alpha, beta, gamma in this order, whichever of them is the dependent one.
-  if (name.starts_with("coordinate")) std::sort(out.begin(), out.end(), [](const Curve& x, const Curve& y) { return x.column < y.column; });
+  if (name.starts_with("coordinate")) std::sort(out.begin(), out.end(), [](const Trace& x, const Trace& y) { return x.column < y.column; });
   // The force of l₃, or of ρ₃, is F₃: a Greek letter takes two bytes, the first of them 0xCE or 0xCF.
   if (name == "actuator_force" || name == "dynamic_force")
-    for (Curve& c : out) {
+    for (Trace& c : out) {
       std::size_t at = std::min(c.label.size(), c.label.find_first_not_of("abcdefghijklmnopqrstuvwxyz"));
       if (at + 1 < c.label.size() && (c.label[at] == '\xCE' || c.label[at] == '\xCF')) at += 2;
       c.label = "F" + c.label.substr(at);

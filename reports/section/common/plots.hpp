@@ -9,16 +9,16 @@
 
 namespace pmreport::section {
 
-struct Curve {
+struct Trace {
   std::string column, label;
 };
 
 // A panel of columns with one SI unit, scaled to the unit that reads best; samples that break a limit are shaded, gaps kept.
 figure::Panel panel(const Analysis& a, const std::string& title, const std::string& axis, const std::string& unit,
-                    const std::vector<Curve>& curves);
+                    const std::vector<Trace>& curves);
 // The curves of a group of columns, labelled by the symbols of their quantities: "l1_rate" by l₁. `unit`: only those of it, "1" those
 // without one; empty: all.
-std::vector<Curve> group(const Analysis& a, const std::string& section, const std::string& name, const std::string& unit = "");
+std::vector<Trace> group(const Analysis& a, const std::string& section, const std::string& name, const std::string& unit = "");
 // Smallest and largest value of columns and when, as a table.
 document::Table extremes(const Analysis& a, const std::string& caption, const std::vector<mechanics::Column>& columns);
 

@@ -75,8 +75,8 @@ std::string sentence(const Analysis& a, const LimitBreach& b) {
 
 std::vector<std::string> reach_sentences(const Analysis& a) {
   std::vector<std::string> out;
-  const scenario::Motion& motion = a.scenario().motion;
-  for (const Interval& i : a.unreachable())
+  const mechanics::Trajectory& motion = a.trajectory();
+  for (const SampleRun& i : a.unreachable())
     if (!motion.value.row(i.first).allFinite())
       out.push_back(fmt::format("The motion {}. {} from {} have no pose.", motion.ending, plural(i.last - i.first + 1, "sample"),
                                 span_of(a, i.first, i.last)));

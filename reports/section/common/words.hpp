@@ -1,6 +1,7 @@
 // Numbers, symbols and sentences as every section writes them.
 #pragma once
 
+#include <core/text/units.hpp>
 #include <reports/section/common/analysis.hpp>
 
 #include <string>

@@ -17,7 +17,7 @@ figure::Figure drive_figure(const Analysis& a) {
   figure::Figure f{
       "drives", "What the drives must give at their actuators' ends: force, and power.", "data/drives.csv", figure::Width::full, 2, {}};
   for (const std::string unit : {"m", "rad"})
-    if (const std::vector<Curve> curves = of_actuators(a, "_drive_force", unit); !curves.empty())
+    if (const std::vector<Trace> curves = of_actuators(a, "_drive_force", unit); !curves.empty())
       f.panels.push_back(panel(a, "drive " + effort(unit), effort(unit), effort_unit(unit), curves));
   f.panels.push_back(panel(a, "drive power", "power", "W", of_actuators(a, "_drive_power")));
   return f;
@@ -80,7 +80,7 @@ figure::Figure plane_figure(const Analysis& a) {
                    1,
                    {}};
   std::vector<std::string> names;
-  for (const Curve& c : of_actuators(a, "_motor_torque")) names.push_back(c.column);
+  for (const Trace& c : of_actuators(a, "_motor_torque")) names.push_back(c.column);
   const DisplayUnit torque = display_unit("N*m", a.largest(names));
   figure::Panel p;
   p.title = "torque against speed";

@@ -1,6 +1,7 @@
 // The parts of the section `drives`.
 #pragma once
 
+#include <core/analysis/study/drive_balance.hpp>
 #include <core/mechanics/dynamics/drive.hpp>
 #include <reports/document/report.hpp>
 #include <reports/section/common/analysis.hpp>
@@ -15,10 +16,9 @@ constexpr double rpm = 30 / std::numbers::pi;  // per rad/s
 
 const std::vector<Actuator>& actuators(const Analysis& a);
 const mechanics::DriveTrain& train(const Analysis& a, std::size_t actuator);
-bool has_motor(const Analysis& a, std::size_t actuator);
+using analysis::driven_back;
+using analysis::has_motor;
 bool any_motor(const Analysis& a);
-// Share of the samples at which the actuator is driven back: force and rate oppose each other.
-double driven_back(const Analysis& a, const std::string& actuator);
 
 std::vector<document::Paragraph> drive_words(const Analysis& a);
 std::vector<figure::Figure> drive_figures(const Analysis& a);

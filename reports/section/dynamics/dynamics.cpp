@@ -1,5 +1,6 @@
 // Section `dynamics`.
-#include <core/analysis/motion_work.hpp>
+#include <core/analysis/study/given_forces.hpp>
+#include <core/analysis/study/motion_work.hpp>
 #include <reports/section/common/force_plots.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/dynamics/dynamics_words.hpp>
@@ -23,7 +24,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 std::vector<Share> shares_of(const Analysis& a, const std::string& actuator) {
   const auto present = [&](const char* suffix) {
     std::vector<std::string> names;
-    for (const Curve& c : of_actuators(a, suffix)) names.push_back(c.column);
+    for (const Trace& c : of_actuators(a, suffix)) names.push_back(c.column);
     return a.largest(names) > 0;
   };
   std::vector<Share> out;
@@ -37,10 +38,10 @@ figure::Figure force_figure(const Analysis& a) {
   figure::Figure f{
       "dynamics", "What the actuators must exert for the mechanism to move as it does.", "data/dynamics.csv", figure::Width::full, 1, {}};
   for (const std::string unit : {"m", "rad"}) {
-    const std::vector<Curve> curves = of_actuators(a, "_dynamic_force", unit);
+    const std::vector<Trace> curves = of_actuators(a, "_dynamic_force", unit);
     if (curves.empty()) continue;
     std::vector<std::string> names;
-    for (const Curve& c : curves) names.push_back(c.column);
+    for (const Trace& c : curves) names.push_back(c.column);
     figure::Panel p = panel(a, "actuator " + effort(unit) + "s", effort(unit), effort_unit(unit), curves);
     add_limit_lines(p, a, a.scenario().limits.force, unit, display_unit(effort_unit(unit), a.largest(names)).per_si);
     if (!p.lines.empty()) f.caption += " Lines: the limits of the scenario.";
@@ -75,9 +76,9 @@ figure::Figure power_figure(const Analysis& a) {
       figure::Width::full,
       2,
       {}};
-  const std::vector<Curve> powers = of_actuators(a, "_power");
+  const std::vector<Trace> powers = of_actuators(a, "_power");
   std::vector<std::string> names;
-  for (const Curve& c : powers) names.push_back(c.column);
+  for (const Trace& c : powers) names.push_back(c.column);
   figure::Panel each = panel(a, "power of the actuators", "power", "W", powers);
   add_limit_lines(each, a, a.scenario().limits.power, "", display_unit("W", a.largest(names)).per_si);
   f.panels.push_back(std::move(each));
@@ -150,9 +151,9 @@ document::Table actuator_table(const Analysis& a, const std::optional<analysis::
 
 std::vector<document::Value> values_of(const Analysis& a, const std::optional<analysis::MotionWork>& work) {
   std::vector<document::Value> out;
-  const auto largest = [&](const char* name, const char* si, const std::vector<Curve>& curves) {
+  const auto largest = [&](const char* name, const char* si, const std::vector<Trace>& curves) {
     double value = nan;
-    for (const Curve& c : curves)
+    for (const Trace& c : curves)
       if (const Peak p = peak(a, c.column); p.sample >= 0) value = std::fmax(value, std::abs(p.value));
     if (std::isfinite(value)) out.push_back({"dynamics", name, si, value});
   };
@@ -165,29 +166,8 @@ std::vector<document::Value> values_of(const Analysis& a, const std::optional<an
     out.push_back({"dynamics", "work", "J", work->work()});
     out.push_back({"dynamics", "regenerated", "J", regenerated});
   }
-  if (a.scenario().motion.by_forces) out.push_back({"dynamics", "energy_drift", "J", a.scenario().motion.energy_drift});
+  if (a.scenario().motion->by_forces()) out.push_back({"dynamics", "energy_drift", "J", a.trajectory().energy_drift});
   return out;
-}
-
-// Of a motion by forces: those given against those found, relative to the largest share of any; NaN where no sample has forces.
-double given_against_found(const Analysis& a) {
-  const std::vector<Actuator>& actuators = a.machine().topology().actuators;
-  std::vector<mechanics::Scalar> x(actuators.size());
-  std::vector<double> given(actuators.size());
-  double deviation = nan, scale = 0;
-  for (const Actuator& actuator : actuators)
-    for (const char* share : {"_load_force", "_gravity_force", "_inertia_force"})
-      scale = std::max(scale, a.largest({actuator.name + share}));
-  for (int k = 0; k < a.samples(); ++k) {
-    const auto sample = static_cast<std::size_t>(k);
-    if (!std::isfinite(a.column("total_power")[sample])) continue;
-    for (std::size_t i = 0; i < x.size(); ++i)
-      x[i] = {a.column(actuators[i].name)[sample], a.column(actuators[i].name + "_rate")[sample], 0};
-    a.scenario().motion.forces(a.time()[sample], x, given.data());
-    for (std::size_t i = 0; i < x.size(); ++i)
-      deviation = std::fmax(deviation, std::abs(given[i] - a.column(actuators[i].name + "_dynamic_force")[sample]));
-  }
-  return scale > 0 ? deviation / scale : deviation;
 }
 
 document::Proof evidence(const Analysis& a, const std::optional<analysis::MotionWork>& work) {
@@ -208,8 +188,8 @@ document::Proof evidence(const Analysis& a, const std::optional<analysis::Motion
                       "samples around which it is smooth, relative to the largest power",
                       1e-8, ""});
   document::Proof p = proof(a, claims);
-  const scenario::Motion& motion = a.scenario().motion;
-  if (work && work->whole && !motion.by_forces) {
+  const bool by_forces = a.scenario().motion->by_forces();
+  if (work && work->whole && !by_forces) {
     const double scale = work->flow > 0 ? work->flow : 1;
     p.lines.push_back({"Work becomes energy",
                        "work of actuators and load, added up between the samples too, against kinetic and potential energy at the end less "
@@ -221,15 +201,15 @@ document::Proof evidence(const Analysis& a, const std::optional<analysis::Motion
                          "flowed",
                          std::abs(work->work() + work->load) / scale, 1e-8, ""});
   }
-  if (!motion.by_forces) return p;
+  if (!by_forces) return p;
   p.lines.push_back(
       {"Inverse dynamics returns the given forces",
        "forces that the scenario gives against those that the integrated motion takes, relative to the largest share of load, "
        "weights or inertia",
-       given_against_found(a), 1e-8, ""});
+       analysis::given_against_found(a), 1e-8, ""});
   p.lines.push_back({"Integration keeps the energy",
                      "energy along the integrated motion against the work of actuators and load, relative to the largest of both",
-                     motion.energy_drift_share, 1e-6, ""});
+                     a.trajectory().energy_drift_share, 1e-6, ""});
   return p;
 }
 

@@ -1,6 +1,6 @@
 #include <reports/section/dynamics/dynamics_words.hpp>
 
-#include <core/analysis/motion_probe.hpp>
+#include <core/analysis/samples/motion_probe.hpp>
 #include <core/mechanics/dynamics/virtual_work.hpp>
 #include <reports/section/common/words.hpp>
 
@@ -140,7 +140,7 @@ std::vector<document::Block> equations_of_motion(const Analysis& a, const std::v
           "others are held, its "
           "reflected inertia, is the diagonal of J⁻ᵀ M J⁻¹.",
           unit_of_mass(a))});
-  analysis::MotionProbe probe(a.scenario(), a.machine());
+  analysis::MotionProbe probe(a.trajectory(), a.scenario().load, a.machine());
   const std::vector<Actuator>& actuators = a.machine().topology().actuators;
   Table reflected{"Reflected inertia.", {"actuator"}, {false}, {}};
   for (const Actuator& x : actuators) reflected.rows.push_back({symbol(x.name)});

@@ -5,7 +5,6 @@
 #include <core/mechanics/model/joint_words.hpp>
 
 #include <fmt/core.h>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -13,73 +12,14 @@
 
 namespace pmreport::section {
 
+using analysis::component;
+using analysis::directionless;
 using document::Table;
-using Eigen::Vector3d;
 
 namespace {
 
-constexpr double nothing = 1e-9;  // of the largest: rounding of what vanishes
-constexpr double directionless =
-    0.1;  // of a joint's peak: by the cube of the force, a smaller one has no thousandth of it in a bearing's life
-
 const Joint& joint_at(const Analysis& a, std::size_t j) { return a.machine().topology().joints[j]; }
 const std::string& body_name(const Analysis& a, int body) { return a.machine().topology().bodies[static_cast<std::size_t>(body)].name; }
-
-const std::vector<double>* size_column(const Analysis& a, const Joint& joint, bool moment) {
-  if (moment && joint.kind == JointKind::spherical) return nullptr;
-  return &a.column(joint.name + (moment ? "_moment" : "_force"));
-}
-
-JointLoad::Size size_of(const Analysis& a, const Joint& joint, bool moment) {
-  JointLoad::Size out;
-  const std::vector<double>* x = size_column(a, joint, moment);
-  if (x == nullptr) return out;
-  double squares = 0;
-  int count = 0;
-  for (int k = 0; k < a.samples(); ++k) {
-    const double value = (*x)[static_cast<std::size_t>(k)];
-    if (!std::isfinite(value)) continue;
-    squares += value * value, ++count;
-    if (out.sample < 0 || value > out.peak) out.peak = value, out.sample = k;
-  }
-  if (count > 0) out.rms = std::sqrt(squares / count);
-  return out;
-}
-
-// Component c in joint axes; zero where the joint transmits none.
-double component(const Analysis& a, const Joint& joint, int c, int sample) {
-  return mechanics::transmits(joint.kind, c) ? a.column(mechanics::reaction_column(joint, c, false))[static_cast<std::size_t>(sample)] : 0;
-}
-
-double angle_between(const Vector3d& u, const Vector3d& v) { return 2 * std::asin(std::min(1.0, (u - v).norm() / 2)); }
-
-// The mean of the directions, each force that counts once, and the force farthest from it. Of forces that reverse, the line with the least
-// sum of squared sines of angles to it: the eigenvector of sum u u^T with the largest eigenvalue.
-void find_cone(const Analysis& a, const Joint& joint, JointLoad& load) {
-  std::vector<Vector3d> directions;
-  Vector3d sum = Vector3d::Zero();
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (int k = 0; k < a.samples(); ++k) {
-    const Vector3d f(component(a, joint, 0, k), component(a, joint, 1, k), component(a, joint, 2, k));
-    if (!(f.norm() > directionless * load.force.peak)) continue;
-    const Vector3d u = f.normalized();
-    directions.push_back(u);
-    sum += u;
-    spread += u * u.transpose();
-  }
-  const auto cone_about = [&](const Vector3d& axis, bool either_way) {
-    double widest = 0;
-    for (const Vector3d& u : directions) widest = std::max(widest, angle_between(either_way && u.dot(axis) < 0 ? Vector3d(-u) : u, axis));
-    return widest;
-  };
-  load.direction = sum.normalized();
-  load.cone = cone_about(load.direction, false);
-  load.reverses = load.cone > std::numbers::pi / 2 || load.direction.isZero();
-  if (!load.reverses) return;
-  load.direction = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
-  if (load.direction.dot(sum) < 0) load.direction = -load.direction;
-  load.cone = cone_about(load.direction, true);
-}
 
 // With whom the joint axes turn (joint_frame.hpp).
 std::string axes_words(const Analysis& a, const Joint& joint, const mechanics::JointFrames::Recipe& r) {
@@ -117,28 +57,6 @@ double rounded(double x, double largest) {
   if (!(largest > 0)) return 0;
   const double step = std::pow(10.0, std::floor(std::log10(largest)) - 3);
   return std::round(x / step) * step;
-}
-
-std::vector<JointLoad> joint_loads(const Analysis& a) {
-  const Topology& t = a.machine().topology();
-  std::vector<JointLoad> out(t.joints.size());
-  double force = 0, moment = 0;
-  for (std::size_t j = 0; j < out.size(); ++j) {
-    out[j].force = size_of(a, t.joints[j], false);
-    out[j].moment = size_of(a, t.joints[j], true);
-    force = std::max(force, out[j].force.peak), moment = std::max(moment, out[j].moment.peak);
-  }
-  moment = std::max(moment, force * a.length());  // a mechanism of forces alone has moments of rounding
-  for (std::size_t j = 0; j < out.size(); ++j) {
-    JointLoad& load = out[j];
-    if (load.force.peak <= nothing * force) load.force = {};
-    if (load.moment.peak <= nothing * moment) load.moment = {};
-    for (int c = 0; c < 6; ++c)
-      if (mechanics::transmits(t.joints[j].kind, c))
-        load.doubtful = static_cast<Indeterminate>(load.doubtful | (a.indeterminate()[j] & 1 << c));
-    if (load.force.sample >= 0) find_cone(a, t.joints[j], load);
-  }
-  return out;
 }
 
 Table bearing_table(const Analysis& a, const std::vector<JointLoad>& loads) {

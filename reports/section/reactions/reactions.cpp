@@ -137,7 +137,7 @@ class JointFigure {
 
   figure::Panel panel_of(int limb, const std::vector<int>& joints) const {
     const std::string unit = moment_ ? "N*m" : "N", word = moment_ ? "moment" : "force";
-    std::vector<Curve> curves;
+    std::vector<Trace> curves;
     std::vector<std::string> columns;
     for (const int j : joints) {
       curves.push_back({joint(j).name + (moment_ ? "_moment" : "_force"), joint(j).name + (doubtful(j) ? least_norm_mark : "")});
@@ -200,34 +200,6 @@ document::Evidence stresses_in_balance(const Analysis& a, const std::vector<int>
 
 }  // namespace
 
-mechanics::State state_of(const Analysis& a, int sample) {
-  const scenario::Motion& motion = a.scenario().motion;
-  const Eigen::VectorXd q = motion.value.row(sample), rate = motion.rate.row(sample), acceleration = motion.acceleration.row(sample);
-  mechanics::State state;
-  evaluate(a.machine(), q.data(), rate.data(), acceleration.data(), state);
-  return state;
-}
-
-std::vector<int> samples_with_forces(const Analysis& a, int count) {
-  std::vector<int> good, out;
-  const std::vector<double>& size = a.column(a.machine().topology().joints.front().name + "_force");
-  for (int k = 0; k < a.samples(); ++k)
-    if (std::isfinite(size[static_cast<std::size_t>(k)])) good.push_back(k);
-  const std::size_t n = std::min(good.size(), static_cast<std::size_t>(std::max(count, 1)));
-  for (std::size_t i = 0; i < n; ++i) out.push_back(good[n > 1 ? i * (good.size() - 1) / (n - 1) : 0]);
-  return out;
-}
-
-std::vector<Vector6d> at_joints(const mechanics::State& state, const mechanics::SelfStress& stress) {
-  std::vector<Vector6d> out(state.joints.size(), Vector6d::Zero());
-  for (const auto& share : stress.shares) {
-    const auto j = static_cast<std::size_t>(share.joint);
-    out[j] = share.wrench;
-    out[j].tail<3>() -= state.joints[j].centre.cross(share.wrench.head<3>());
-  }
-  return out;
-}
-
 Result reactions_section(const Analysis& a, const scenario::SectionRequest& request) {
   Result out{{"reactions", "reactions", "Joint reactions", {}}, {}, {}, {}};
   document::Section& s = out.section;
@@ -257,10 +229,10 @@ Result reactions_section(const Analysis& a, const scenario::SectionRequest& requ
 
   const LimbWrenches limbs(a, spread);
   if (limbs.any()) {
-    s.blocks.push_back(limbs.figure());
-    s.blocks.push_back(limbs.table());
+    s.blocks.push_back(limb_figure(a, limbs));
+    s.blocks.push_back(limb_table(a, limbs));
   }
-  for (document::Block& b : limbs.formula()) s.blocks.push_back(std::move(b));
+  for (document::Block& b : limb_formula(a, limbs)) s.blocks.push_back(std::move(b));
 
   document::Proof p = proof(
       a, {{Measure::free_body, "Every free body balances",
@@ -270,7 +242,7 @@ Result reactions_section(const Analysis& a, const scenario::SectionRequest& requ
           {Measure::judge, "Limb by limb equals the system over all bodies",
            "reactions by elimination in each limb against one factorisation over all bodies, relative to the largest", 1e-8, ""}});
   if (n.doubtful > 0) p.lines.push_back(stresses_in_balance(a, spread));
-  if (limbs.any()) p.lines.push_back(limbs.platform_in_balance());
+  if (limbs.any()) p.lines.push_back(platform_in_balance(limbs));
   s.blocks.push_back(std::move(p));
 
   double force = 0, moment = 0;

@@ -90,7 +90,7 @@ std::string passive_words(const Analysis& a, double length) {
   tbb::parallel_for(0, n, [&](int i) {
     const int k = n > 1 ? i * (a.samples() - 1) / (n - 1) : 0;
     if (a.outcome(k) == Outcome::unreachable) return;
-    const mechanics::State s = state_at_rest(a.machine(), a.scenario().motion.value.row(k).transpose());
+    const mechanics::State s = state_at_rest(a.machine(), a.trajectory().value.row(k).transpose());
     if (s.status != PM_OK) return;
     const mechanics::LockedFreedoms f = locked_freedoms(a.machine(), s, a.mobility(), length);
     inverse[static_cast<std::size_t>(i)] = f.inverse_margin, constraint[static_cast<std::size_t>(i)] = f.constraint_margin;
@@ -195,7 +195,7 @@ Result singularity_section(const Analysis& a, const scenario::SectionRequest& r,
   if (!poses.empty()) {
     worst = poses.front();
   } else if (along.worst >= 0) {
-    worst = examine(a, "t = " + show_time(a, along.worst), a.scenario().motion.value.row(along.worst).transpose(), length, false);
+    worst = examine(a, "t = " + show_time(a, along.worst), a.trajectory().value.row(along.worst).transpose(), length, false);
     if (worst) poses.push_back(*worst);
   }
   std::vector<const ExaminedPose*> given(r.poses.size(), nullptr);
@@ -216,7 +216,7 @@ Result singularity_section(const Analysis& a, const scenario::SectionRequest& r,
     if (ordered.size() < pictured && ((worst && p.name == worst->name) || p.singular()))
       ordered.push_back(portrait(m, p, length, stage, ordered.size() + 1));
 
-  if (!a.scenario().motion.ending.empty()) tell(fmt::format("The motion {}.", a.scenario().motion.ending), Paragraph::Tone::warning);
+  if (!a.trajectory().ending.empty()) tell(fmt::format("The motion {}.", a.trajectory().ending), Paragraph::Tone::warning);
   for (const std::string& text : met) tell(text, Paragraph::Tone::warning);
   if (crossings.size() > examined)
     tell(fmt::format("{} more crossings are not looked at.", crossings.size() - examined), Paragraph::Tone::warning);
@@ -229,7 +229,8 @@ Result singularity_section(const Analysis& a, const scenario::SectionRequest& r,
   if (crossings.empty() && along.worst >= 0)
     tell(fmt::format("The motion stays on one side of every singular surface: det Ĝ keeps its sign, and σ₆ is {} or more, least at t = {}.",
                      typeset(format_number(along.smallest[static_cast<std::size_t>(along.worst)], 3)), show_time(a, along.worst)));
-  s.blocks.push_back(motion_figure(a, along));
+  const bool moves = a.samples() > 0;
+  if (moves) s.blocks.push_back(motion_figure(a, along));
   tell(passive_words(a, length));
   if (!poses.empty()) {
     tell(lines_words(m, poses.front().at));
@@ -264,18 +265,21 @@ Result singularity_section(const Analysis& a, const scenario::SectionRequest& r,
   for (const double c : along.condition)
     if (std::isfinite(c) && !(c <= condition)) condition = c;
   if (worst) smallest = std::min(smallest, worst->smallest), condition = std::max(condition, worst->condition);
-  value("crossings", double(crossings.size()));
-  value("smallest_singular_value", smallest);
-  value("largest_condition", condition);
-  value("line_rank", worst ? worst->at.ranks.lines : nan);
-  value("wrench_rank", worst ? worst->at.ranks.wrenches : nan);
+  if (moves) {
+    value("crossings", double(crossings.size()));
+    value("smallest_singular_value", smallest);
+    value("largest_condition", condition);
+    value("line_rank", worst ? worst->at.ranks.lines : nan);
+    value("wrench_rank", worst ? worst->at.ranks.wrenches : nan);
+  }
   for (std::size_t i = 0; i < given.size(); ++i) {
     value(fmt::format("line_rank_{}", i + 1), given[i] != nullptr ? given[i]->at.ranks.lines : nan);
     value(fmt::format("wrench_rank_{}", i + 1), given[i] != nullptr ? given[i]->at.ranks.wrenches : nan);
   }
-  out.data.insert(out.data.begin(), {"singularity",
-                                     {"t [s]", "determinant", "smallest_singular_value", "condition"},
-                                     {a.time(), along.determinant, along.smallest, along.condition}});
+  if (moves)
+    out.data.insert(out.data.begin(), {"singularity",
+                                       {"t [s]", "determinant", "smallest_singular_value", "condition"},
+                                       {a.time(), along.determinant, along.smallest, along.condition}});
   return out;
 }
 

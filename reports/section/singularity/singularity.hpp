@@ -1,6 +1,7 @@
 // The parts of section `singularity`.
 #pragma once
 
+#include <core/analysis/study/singular_margins.hpp>
 #include <core/mechanics/singularity/singularity.hpp>
 #include <reports/document/report.hpp>
 #include <reports/section/common/screw_words.hpp>
@@ -9,12 +10,8 @@
 
 namespace pmreport::section {
 
-// det G^, smallest singular value and condition of G^ at every sample; NaN without a pose.
-struct AlongMotion {
-  std::vector<double> determinant, smallest, condition;
-  int worst = -1;  // sample of the smallest singular value; -1: none has a pose
-};
-AlongMotion along_motion(const Analysis& a, double length);
+using analysis::along_motion;
+using analysis::AlongMotion;
 
 // A pose that the section looks at closely.
 struct ExaminedPose {

@@ -11,41 +11,9 @@ namespace pmreport::section {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-struct Grid {
-  std::vector<double> determinant, smallest;  // row by row; NaN: out of reach
-};
-
-// A row of the map is placed at once, so that the geometry runs on several poses at a time.
-Grid evaluate_grid(const mechanics::Machine& m, const scenario::MapRequest& r, double length) {
-  const auto n = static_cast<std::size_t>(r.points);
-  Grid grid{std::vector<double>(n * n, nan), std::vector<double>(n * n, nan)};
-  tbb::parallel_for(std::size_t{0}, n, [&](std::size_t row) {
-    std::vector<double> q(static_cast<std::size_t>(m.dof()) * n), placement(m.layout().size() * n), g(36 * n);
-    const auto at = [&](int axis, std::size_t k) {
-      return r.from[axis] + (r.to[axis] - r.from[axis]) * static_cast<double>(k) / static_cast<double>(n - 1);
-    };
-    for (int i = 0; i < m.dof(); ++i)
-      for (std::size_t k = 0; k < n; ++k)
-        q[static_cast<std::size_t>(i) * n + k] = i == r.coordinate[0] ? at(0, k) : i == r.coordinate[1] ? at(1, row) : r.at(i);
-    if (m.place(PM_VALUE, n, q.data(), placement.data()) != PM_OK || m.jacobian(PM_VALUE, n, placement.data(), g.data()) != PM_OK) return;
-    for (std::size_t k = 0; k < n; ++k) {
-      if (!(placement[k] >= 0)) continue;  // the reach
-      mechanics::Matrix6d jacobian;
-      for (std::size_t e = 0; e < 36; ++e) jacobian(static_cast<int>(e / 6), static_cast<int>(e % 6)) = g[e * n + k];
-      if (!jacobian.allFinite()) continue;
-      const mechanics::Conditioning c = mechanics::conditioning(m, jacobian, length);
-      grid.determinant[row * n + k] = c.determinant;
-      grid.smallest[row * n + k] = std::copysign(c.smallest, c.determinant);
-    }
-  });
-  return grid;
-}
-
 // The motion over the map; dashed where it is only projected, for its other coordinates are not those of the map.
 std::optional<figure::Series> trace(const Analysis& a, const scenario::MapRequest& r, const double per_si[2]) {
-  const Eigen::MatrixXd& q = a.scenario().motion.value;
+  const Eigen::MatrixXd& q = a.trajectory().value;
   figure::Series s{"motion", {}, {}, 0};
   bool moves = false;
   for (Eigen::Index k = 0; k < q.rows(); ++k) {
@@ -66,12 +34,12 @@ SingularityMap singularity_map(const Analysis& a, const scenario::MapRequest& re
   const mechanics::Machine& m = a.machine();
   scenario::MapRequest r = request;
   if (r.at.size() == 0) r.at = m.home();
-  const Grid grid = evaluate_grid(m, r, length);
+  const analysis::SingularityGrid grid = analysis::singularity_grid(m, r, length);
   const auto n = static_cast<std::size_t>(r.points);
 
   SingularityMap out;
   out.all = static_cast<int>(n * n);
-  for (const double d : grid.determinant) out.reachable += std::isfinite(d) ? 1 : 0, out.negative += d < 0 ? 1 : 0;
+  out.reachable = grid.reachable, out.negative = grid.negative;
 
   figure::Axis axes[2];
   double per_si[2];

@@ -12,27 +12,6 @@ namespace pmreport::section {
 using mechanics::Singularity;
 using mechanics::SingularityType;
 
-AlongMotion along_motion(const Analysis& a, double length) {
-  const auto n = static_cast<std::size_t>(a.samples());
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  AlongMotion out{std::vector<double>(n, nan), std::vector<double>(n, nan), std::vector<double>(n, nan)};
-  const mechanics::Machine& m = a.machine();
-  tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
-    if (a.outcome(static_cast<int>(k)) == Outcome::unreachable) return;
-    const mechanics::Pose pose = a.pose(static_cast<int>(k));
-    double g[36];
-    if (pose.status != PM_OK || m.jacobian(PM_VALUE, 1, pose.numbers.data(), g) != PM_OK) return;
-    const mechanics::Matrix6d jacobian = Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(g);
-    if (!jacobian.allFinite()) return;
-    const mechanics::Conditioning c = mechanics::conditioning(m, jacobian, length);
-    out.determinant[k] = c.determinant, out.smallest[k] = c.smallest, out.condition[k] = c.condition();
-  });
-  for (std::size_t k = 0; k < n; ++k)
-    if (std::isfinite(out.smallest[k]) && (out.worst < 0 || out.smallest[k] < out.smallest[static_cast<std::size_t>(out.worst)]))
-      out.worst = static_cast<int>(k);
-  return out;
-}
-
 std::string type_name(SingularityType t) {
   switch (t) {
     case SingularityType::regular:

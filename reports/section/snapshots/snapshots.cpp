@@ -51,6 +51,15 @@ Stage::Ordered Stage::picture(int sample, const scenario::View& view, const scen
           studio_.take(scene::build(analysis_.machine(), analysis_.pose(sample), extras), camera, {r.width, r.height, r.transparent, 2})};
 }
 
+Stage::Ordered Stage::picture_at_home(const scenario::View& view, const scenario::SectionRequest& r, const std::string& id) const {
+  scene::Extras extras;
+  extras.labels = r.labels;
+  extras.frames = r.frames;
+  const mechanics::Machine& machine = analysis_.machine();
+  return picture(machine, machine.home_pose(), extras, bounds_, view, id, fmt::format("At home, {} view", view.name),
+                 {r.width, r.height, r.transparent, 2});
+}
+
 Stage::Ordered Stage::portrait(const std::string& id) const {
   const scene::Quality quality{1200, 900, false, 2};
   const mechanics::Machine& machine = analysis_.machine();
@@ -73,8 +82,11 @@ document::Section snapshots_section(const Analysis& a, const scenario::SectionRe
                                     int number) {
   const std::string suffix = number > 1 ? std::to_string(number) : "";
   document::Section s{"snapshots" + suffix, "snapshots", "Snapshots", {}};
-  document::Gallery gallery{{}, "All pictures of one view share one camera, framed over the whole motion."};
+  document::Gallery gallery{{}, r.times.empty() ? "" : "All pictures of one view share one camera, framed over the whole motion."};
   std::vector<Stage::Ordered> ordered;
+  if (r.times.empty())  // there is no motion
+    for (const scenario::View& view : r.views)
+      ordered.push_back(stage.picture_at_home(view, r, fmt::format("snapshot{}-{}", suffix, ordered.size() + 1)));
   for (const double t : r.times)
     for (const scenario::View& view : r.views) {
       const int k = a.sample_at(t);

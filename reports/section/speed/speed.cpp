@@ -33,8 +33,8 @@ void add_verdict(document::Section& s, const Analysis& a, const SpeedStudy& stud
   if (std::isnan(scale)) return tell("No sample of the motion has forces to hold against the limits.", Paragraph::Tone::warning);
   if (study.feasible().limit < 0) return tell("No limit binds at any speed.");
   const mechanics::SpeedLimit& l = study.feasible().limits[static_cast<std::size_t>(study.feasible().limit)];
-  const std::string where = fmt::format("the {} at t = {} of the motion as written, limit {}", study.subject(l),
-                                        show_time(a, study.feasible().sample), show(study.bound(l), study.unit(l)));
+  const std::string where = fmt::format("the {} at t = {} of the motion as written, limit {}", subject(a, l),
+                                        show_time(a, study.feasible().sample), show(study.bound(l), unit_of(a, l)));
   if (scale == 0)
     return tell(fmt::format("The motion breaks a limit at any speed, even at rest in the pose: {}.", where), Paragraph::Tone::warning);
   const std::string duration = show(study.duration(1), "s"), then = duration_words(study.duration(scale));
@@ -49,7 +49,7 @@ void add_verdict(document::Section& s, const Analysis& a, const SpeedStudy& stud
   const std::vector<SpeedStudy::Own> own = study.own();
   if (own.size() > 1 && std::isfinite(own[1].scale)) {
     const mechanics::SpeedLimit& next = study.feasible().limits[own[1].limit];
-    tell(fmt::format("Without this limit it would be {}, bound by the {} at t = {}.", speed_words(own[1].scale), study.subject(next),
+    tell(fmt::format("Without this limit it would be {}, bound by the {} at t = {}.", speed_words(own[1].scale), subject(a, next),
                      show_time(a, own[1].sample)));
   }
 }
@@ -70,7 +70,7 @@ document::Table table_of(const Analysis& a, const SpeedStudy& study) {
     for (const double x : study.demand(l, 1))
       if (std::isfinite(x)) used = std::max(used, std::abs(x) / study.bound(l));
     const bool binds = o.sample >= 0, moves = binds && o.scale > 0;
-    table.rows.push_back({study.brief_subject(l), show(study.bound(l), study.unit(l)), format_number(100 * used, 3) + " %",
+    table.rows.push_back({brief_subject(a, l), show(study.bound(l), unit_of(a, l)), format_number(100 * used, 3) + " %",
                           !binds  ? "never binds"
                           : moves ? speed_words(o.scale)
                                   : "0",
@@ -111,11 +111,11 @@ Result speed_section(const Analysis& a) {
     s.blocks.push_back(Paragraph{Paragraph::Tone::warning,
                                  fmt::format("{} of {} have no forces and are left out.", missing, plural(a.samples(), "sample"))});
   const bool moves = study.feasible().limit >= 0 && study.scale() > 0;
-  if (moves) s.blocks.push_back(study.phase_plane());
+  if (moves) s.blocks.push_back(phase_plane(a, study));
   if (!study.feasible().limits.empty()) s.blocks.push_back(table_of(a, study));
   if (moves) {
-    s.blocks.push_back(study.at_scale());
-    s.blocks.push_back(document::Proof{study.evidence()});
+    s.blocks.push_back(at_scale(a, study));
+    s.blocks.push_back(document::Proof{evidence(study)});
     out.values.push_back({"speed", "duration", "s", study.duration(study.scale())});
   }
   if (std::isfinite(study.scale())) out.values.push_back({"speed", "scale", "", study.scale()});

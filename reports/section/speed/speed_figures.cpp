@@ -38,7 +38,8 @@ const char* word_of(Kind kind, bool rotary) {
 }  // namespace
 
 // The envelope in pieces, each in the colour of the kind of limit that binds there. Where the kind changes, the two pieces share a sample.
-figure::Figure SpeedStudy::phase_plane() const {
+figure::Figure phase_plane(const Analysis& a, const SpeedStudy& study) {
+  const mechanics::FeasibleSpeed& feasible = study.feasible();
   figure::Figure f{
       "phase-plane",
       "Phase plane: how many times as fast the motion may run at each of its poses before a limit binds, and which kind of limit "
@@ -48,43 +49,44 @@ figure::Figure SpeedStudy::phase_plane() const {
       figure::Width::full,
       1,
       {}};
-  const auto n = static_cast<std::size_t>(a_.samples());
-  const double top = shown * std::max(scale(), 1.0);
+  const auto n = static_cast<std::size_t>(a.samples());
+  const double top = shown * std::max(study.scale(), 1.0);
   const auto binding = [&](std::size_t k) {
     const mechanics::SpeedLimit* least = nullptr;
-    for (const mechanics::SpeedLimit& l : feasible_.limits)
+    for (const mechanics::SpeedLimit& l : feasible.limits)
       if (least == nullptr || l.largest[k] < least->largest[k]) least = &l;
     return least->kind;
   };
   // A curve that leaves the figure goes to its edge.
-  const auto low = [&](std::size_t k) { return k < n && feasible_.largest[k] <= top; };
-  const auto seen = [&](std::size_t k) { return !std::isnan(feasible_.largest[k]) && (low(k) || low(k + 1) || (k > 0 && low(k - 1))); };
+  const auto low = [&](std::size_t k) { return k < n && feasible.largest[k] <= top; };
+  const auto seen = [&](std::size_t k) { return !std::isnan(feasible.largest[k]) && (low(k) || low(k + 1) || (k > 0 && low(k - 1))); };
   figure::Panel p;
   p.x = {"time of the motion as written", "s"};
   p.y = {"path speed s", ""};
   for (const Kind kind : {Kind::actuator_force, Kind::actuator_speed, Kind::actuator_power, Kind::joint_force, Kind::joint_moment}) {
-    figure::Series s{word_of(kind, a_.machine().topology().actuators.front().unit == "rad"), a_.time(), std::vector<double>(n, nan),
+    figure::Series s{word_of(kind, a.machine().topology().actuators.front().unit == "rad"), a.time(), std::vector<double>(n, nan),
                      figure::style_of(static_cast<int>(kind) + (kind >= Kind::joint_force ? 1 : 0), 0)};
     bool any = false;
     for (std::size_t k = 0; k < n; ++k) {
       if (!seen(k) || (binding(k) != kind && (k == 0 || binding(k - 1) != kind))) continue;
-      s.y[k] = std::min(feasible_.largest[k], top);
+      s.y[k] = std::min(feasible.largest[k], top);
       any |= binding(k) == kind;
     }
     if (any) p.series.push_back(std::move(s));
   }
   constexpr int black = 3, dotted = 3;
-  const std::string value = speed_words(scale());
-  p.series.push_back({"largest constant s = " + value, a_.time(), std::vector<double>(n, scale()), figure::style_of(black, 1)});
-  double highest = scale();
+  const std::string value = speed_words(study.scale());
+  p.series.push_back({"largest constant s = " + value, a.time(), std::vector<double>(n, study.scale()), figure::style_of(black, 1)});
+  double highest = study.scale();
   for (const figure::Series& s : p.series)
     for (const double y : s.y)
       if (y > highest) highest = y;
-  const double at = a_.time()[static_cast<std::size_t>(feasible_.sample)];
-  p.series.push_back({"binds at t = " + show_time(a_, feasible_.sample), {at, at}, {scale(), highest}, figure::style_of(black, dotted)});
+  const double at = a.time()[static_cast<std::size_t>(feasible.sample)];
+  p.series.push_back(
+      {"binds at t = " + show_time(a, feasible.sample), {at, at}, {study.scale(), highest}, figure::style_of(black, dotted)});
   p.lines.push_back({1, ""});
   f.panels.push_back(std::move(p));
-  for (const double y : feasible_.largest)
+  for (const double y : feasible.largest)
     if (y > top) {
       f.caption += fmt::format(" The envelope is cut at s = {}.", format_number(top, 3));
       break;
@@ -92,22 +94,24 @@ figure::Figure SpeedStudy::phase_plane() const {
   return f;
 }
 
-figure::Figure SpeedStudy::at_scale() const {
+figure::Figure at_scale(const Analysis& a, const SpeedStudy& study) {
+  const mechanics::FeasibleSpeed& feasible = study.feasible();
   figure::Figure f{"at-largest-speed",
-                   fmt::format("What the motion asks for when it runs {} times as fast, against the limits.", speed_words(scale())),
+                   fmt::format("What the motion asks for when it runs {} times as fast, against the limits.", speed_words(study.scale())),
                    "data/speed.csv",
                    figure::Width::full,
                    2,
                    {}};
   constexpr std::size_t most_curves = 6;
-  const mechanics::MotionLimits& limits = a_.scenario().limits;
-  const Topology& t = a_.machine().topology();
-  std::vector<double> time = a_.time();
-  for (double& x : time) x = time.front() + (x - a_.time().front()) / scale();
+  const mechanics::MotionLimits& limits = a.scenario().limits;
+  const Topology& t = a.machine().topology();
+  std::vector<double> time = a.time();
+  for (double& x : time) x = time.front() + (x - a.time().front()) / study.scale();
   const auto add = [&](Kind kind, const std::string& si) {
     std::vector<const mechanics::SpeedLimit*> chosen;
-    for (const Own& o : own())
-      if (const auto& l = feasible_.limits[o.limit]; l.kind == kind && unit(l) == si && chosen.size() < most_curves) chosen.push_back(&l);
+    for (const SpeedStudy::Own& o : study.own())
+      if (const auto& l = feasible.limits[o.limit]; l.kind == kind && unit_of(a, l) == si && chosen.size() < most_curves)
+        chosen.push_back(&l);
     std::sort(chosen.begin(), chosen.end(), [](const auto* x, const auto* y) { return x->index < y->index; });
     if (chosen.empty()) return;
     figure::Panel p;
@@ -118,7 +122,7 @@ figure::Figure SpeedStudy::at_scale() const {
     for (const auto* l : chosen) {
       p.series.push_back(
           {joint ? t.joints[static_cast<std::size_t>(l->index)].name : symbol(t.actuators[static_cast<std::size_t>(l->index)].name), time,
-           demand(*l, scale()), -1});
+           study.demand(*l, study.scale()), -1});
       for (const double y : p.series.back().y)
         if (std::isfinite(y)) largest = std::max(largest, std::abs(y));
     }
@@ -128,7 +132,7 @@ figure::Figure SpeedStudy::at_scale() const {
       for (double& y : s.y) y *= d.per_si;
     if (joint) {
       std::vector<double> values;
-      for (const auto* l : chosen) values.push_back(bound(*l));
+      for (const auto* l : chosen) values.push_back(study.bound(*l));
       std::sort(values.begin(), values.end());
       values.erase(std::unique(values.begin(), values.end()), values.end());
       for (const double v : values) p.lines.push_back({v * d.per_si, "limit"});
@@ -136,7 +140,7 @@ figure::Figure SpeedStudy::at_scale() const {
       const std::vector<double>& list = kind == Kind::actuator_force   ? limits.force
                                         : kind == Kind::actuator_speed ? limits.speed
                                                                        : limits.power;
-      add_limit_lines(p, a_, list, si == "N" || si == "m/s" ? "m" : si == "W" ? "" : "rad", d.per_si);
+      add_limit_lines(p, a, list, si == "N" || si == "m/s" ? "m" : si == "W" ? "" : "rad", d.per_si);
     }
     f.panels.push_back(std::move(p));
   };

@@ -27,7 +27,7 @@ document::Section statics_section(const Analysis& a) {
   figure::Figure f{"statics", "Actuator forces and constraint wrenches.", "data/statics.csv", figure::Width::full, 2, {}};
   for (const auto& [name, title] : {std::pair<std::string, std::string>{"actuator_force", "actuator"}, {"constraint", "constraint"}})
     for (const std::string unit : {"N", "N*m"}) {
-      const std::vector<Curve> curves = group(a, "statics", name, unit);
+      const std::vector<Trace> curves = group(a, "statics", name, unit);
       const std::string kind = unit == "N" ? "force" : "moment";
       if (!curves.empty()) f.panels.push_back(panel(a, title + " " + kind, kind, unit, curves));
     }

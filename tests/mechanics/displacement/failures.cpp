@@ -51,13 +51,13 @@ ForwardSolution solve(double actuator, double guess) {
 
 TEST_CASE("a cam's parameter is found from its slide") {
   const ForwardSolution s = solve(0.16, 0.3);
-  CHECK(s.outcome == ForwardOutcome::converged);
+  CHECK(s.outcome == Outcome::good);
   CHECK(s.coordinates(0) == Approx(0.4));
 }
 
 TEST_CASE("a guess at which the actuators do not move with the pose is refused as singular") {
   const ForwardSolution s = solve(0.16, 0.0);
-  CHECK(s.outcome == ForwardOutcome::not_converged);
+  CHECK(s.outcome == Outcome::not_converged);
   CHECK(s.why == "the actuators do not determine the pose there (singular)");
   CHECK(s.coordinates(0) == 0);
   CHECK(s.residual == Approx(0.16));
@@ -65,7 +65,7 @@ TEST_CASE("a guess at which the actuators do not move with the pose is refused a
 
 TEST_CASE("a solution beyond the poses that can be assembled is not reached: the best before the edge is told") {
   const ForwardSolution s = solve(0.36, 0.1);  // u = 0.6
-  CHECK(s.outcome == ForwardOutcome::not_converged);
+  CHECK(s.outcome == Outcome::not_converged);
   CHECK(s.why == "the way to these actuator values leaves the poses that can be assembled");
   CHECK(s.coordinates(0) <= 0.5);
   CHECK(s.coordinates(0) > 0.49);
@@ -73,7 +73,7 @@ TEST_CASE("a solution beyond the poses that can be assembled is not reached: the
 
 TEST_CASE("actuator values that no pose has end after a bounded number of tries, with the nearest approach") {
   const ForwardSolution s = solve(-0.01, 0.3);  // squares are not negative
-  CHECK(s.outcome == ForwardOutcome::not_converged);
+  CHECK(s.outcome == Outcome::not_converged);
   CHECK(s.iterations <= ForwardSolver::max_iterations);
   CHECK_FALSE(s.why.empty());
   CHECK(s.residual >= 0.01);
@@ -99,13 +99,13 @@ TEST_CASE("a solution on the other side of a singular surface is of another asse
     for (int i = 3; i < 6; ++i) guess(i) += turn(random);
     CAPTURE(guess.transpose());
     const ForwardSolution s = solver.solve(limbs, guess);
-    if (s.outcome == ForwardOutcome::not_converged) {
+    if (s.outcome == Outcome::not_converged) {
       CHECK_FALSE(s.why.empty());
       continue;
     }
     CHECK((actuators_at(machine, s.coordinates) - limbs).lpNorm<Eigen::Infinity>() < 1e-12);
     const bool crossed = determinant(guess) * determinant(s.coordinates) < 0;
-    CHECK(crossed == (s.outcome == ForwardOutcome::other_assembly_mode));
+    CHECK(crossed == (s.outcome == Outcome::other_assembly_mode));
     if (crossed) CHECK_THAT(s.why, Contains("belongs to another assembly mode"));
     ++(crossed ? other : same);
   }

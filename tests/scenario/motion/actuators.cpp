@@ -48,15 +48,16 @@ TEST_CASE("a kink costs an integral no accuracy worth naming") {
 
 TEST_CASE("a rate is integrated from home, and its derivative is exact") {
   const Loaded l = loaded(moving("duration = \"2 s\"\nsamples = 9\nx_rate = \"3 mm/s^3 * t^2\"\n", ""));
-  const Motion& m = l.scenario.motion;
+  const mechanics::Trajectory& m = l.trajectory;
+  const MotionRequest& asked = l.scenario.motion.value();
   for (Eigen::Index i = 0; i < 9; ++i) {
     const double t = m.time[static_cast<std::size_t>(i)];
     CHECK(m.value(i, 0) == Approx(1e-3 * t * t * t).margin(1e-18));
     CHECK(m.rate(i, 0) == Approx(3e-3 * t * t).margin(1e-18));
     CHECK(m.acceleration(i, 0) == Approx(6e-3 * t).margin(1e-18));
   }
-  CHECK_FALSE(m.by_actuators);
-  CHECK(m.description == "x_rate = 3 mm/s^3 * t^2\nphi = 0° (home)");
+  CHECK_FALSE(asked.by_actuators());
+  CHECK(asked.description == "x_rate = 3 mm/s^3 * t^2\nphi = 0° (home)");
   double x[2], rate[2], acceleration[2];
   REQUIRE(m.at(1.33, x, rate, acceleration));
   CHECK(x[0] == Approx(1e-3 * 1.33 * 1.33 * 1.33));
@@ -65,11 +66,12 @@ TEST_CASE("a rate is integrated from home, and its derivative is exact") {
 TEST_CASE("coordinates follow the actuators with their exact rates and accelerations") {
   // y = r sin psi, psi = 0.2 rad/s^2 t^2 / 2
   const Loaded l = loaded(moving("duration = \"2 s\"\nsamples = 21\npsi_rate = \"0.2 rad/s^2 * t\"\nq = \"5 mm + 1 mm/s * t\"\n"));
-  const Motion& m = l.scenario.motion;
-  CHECK(m.by_actuators);
+  const mechanics::Trajectory& m = l.trajectory;
+  const MotionRequest& asked = l.scenario.motion.value();
+  CHECK(asked.by_actuators());
   CHECK(m.ending.empty());
-  CHECK(m.asked == 2);
-  CHECK(m.description == "q = 5 mm + 1 mm/s * t\npsi_rate = 0.2 rad/s^2 * t");
+  CHECK(asked.end == 2);
+  CHECK(asked.description == "q = 5 mm + 1 mm/s * t\npsi_rate = 0.2 rad/s^2 * t");
   const auto check = [&](double t, double x, double y, double rate, double acceleration) {
     CAPTURE(t);
     const double psi = 0.1 * t * t, v = 0.2 * t, a = 0.2, r = 0.2;
@@ -88,7 +90,7 @@ TEST_CASE("coordinates follow the actuators with their exact rates and accelerat
     double q[2], rate[2], acceleration[2];
     REQUIRE(m.at(t, q, rate, acceleration));
     check(t, q[0], q[1], rate[1], acceleration[1]);
-    REQUIRE(m.actuators(t, q, rate, acceleration));
+    REQUIRE(asked.prescribed(t, q, rate, acceleration));
     CHECK(q[1] == Approx(0.1 * t * t).margin(1e-15));
     CHECK(rate[1] == Approx(0.2 * t));
   }
@@ -100,7 +102,7 @@ TEST_CASE("actuators that leave the reach end the motion there, and say when and
   // psi = 80 deg/s t is beyond 90 deg, where the feeler stands upright, from t = 1.125 s on.
   const std::string keys = "duration = \"2 s\"\nsamples = 21\npsi = \"80 deg/s * t\"\n";
   const Loaded l = loaded(moving(keys));
-  const Motion& m = l.scenario.motion;
+  const mechanics::Trajectory& m = l.trajectory;
   CHECK_THAT(m.ending,
              Contains("runs out of reach at t = 1.125 s: beyond it no pose of this assembly and working mode has the actuator values"));
   CHECK(m.time.size() == 21);
@@ -111,7 +113,7 @@ TEST_CASE("actuators that leave the reach end the motion there, and say when and
   CHECK_FALSE(m.at(1.13, q, rate, acceleration));
   // The edge of reach is no singular surface: until = "singularity" does not excuse it.
   const Loaded until = loaded(moving(keys + "until = \"singularity\"\n"));
-  CHECK(until.scenario.motion.time.size() == 21);
+  CHECK(until.trajectory.time.size() == 21);
   CHECK_THAT(
       told(moving("duration = \"2 s\"\nsamples = 21\npsi = \"100 deg\"\n")),
       Contains("a.toml:10:7: error: the actuators cannot be brought from home to their first values: 90 % of the way there is the edge of "
@@ -124,13 +126,13 @@ TEST_CASE("waypoints and files may name actuators") {
   folder.write("motion.csv", "t [s], psi [deg]\n0,0\n1,10\n2,40\n3,90\n");
   const std::filesystem::path file = folder.path() / "a.toml";
   const Loaded from_file = loaded(moving("file = \"motion.csv\"\n", ""), file);
-  CHECK(from_file.scenario.motion.by_actuators);
-  CHECK(from_file.scenario.motion.value(2, 1) == Approx(40 * pi / 180));
+  CHECK(from_file.scenario.motion->by_actuators());
+  CHECK(from_file.trajectory.value(2, 1) == Approx(40 * pi / 180));
   const Loaded points =
       loaded(moving("profile = \"quintic\"\nsamples = 5\n[[motion.waypoint]]\ntime = \"0 s\"\n[[motion.waypoint]]\ntime = \"4 "
                     "s\"\npsi = \"30 deg\"\n"));
-  CHECK(points.scenario.motion.by_actuators);
-  CHECK(points.scenario.motion.value(4, 1) == Approx(0.1).epsilon(1e-12));  // r sin 30 deg
+  CHECK(points.scenario.motion->by_actuators());
+  CHECK(points.trajectory.value(4, 1) == Approx(0.1).epsilon(1e-12));  // r sin 30 deg
   folder.write("mixed.csv", "t [s], x [mm], psi [deg]\n0,0,0\n1,10,1\n");
   CHECK_THAT(told(moving("file = \"mixed.csv\"\n", ""), file),
              Contains("mixed.csv:1:16: error: psi is an actuator, and x before it a coordinate"));
@@ -167,9 +169,9 @@ Loaded cranked(const std::string& motion) {
 TEST_CASE("a motion that may last until a singular surface ends at the last sample before it, and names the time") {
   // Coordinates say when the dead centre is met; the slider driven along the same path has to find it there again.
   const Loaded by_angle = cranked("duration = \"2 s\"\nsamples = 41\nuntil = \"singularity\"\ntheta_rate = \"-1 rad/s\"\n");
-  const Motion& turned = by_angle.scenario.motion;
+  const mechanics::Trajectory& turned = by_angle.trajectory;
   REQUIRE_THAT(turned.ending, Contains("meets a singular surface at t = ") && Contains("there the actuators do not hold the platform"));
-  CHECK(turned.asked == 2);
+  CHECK(by_angle.scenario.motion->end == 2);
   CHECK(turned.value.allFinite());
   const double ending = std::stod(turned.ending.substr(turned.ending.find("t = ") + 4));
   CHECK(turned.time.back() < ending);
@@ -184,7 +186,7 @@ TEST_CASE("a motion that may last until a singular surface ends at the last samp
   const std::string drive =
       fmt::format("duration = \"2 s\"\nsamples = 41\ns = \"{:.17g} m + {:.17g} m/s * t\"\n", home, (dead - home) / 1.02);
   const Loaded by_slide = cranked(drive + "until = \"singularity\"\n");
-  const Motion& pushed = by_slide.scenario.motion;
+  const mechanics::Trajectory& pushed = by_slide.trajectory;
   CHECK_THAT(pushed.ending, Contains("meets a singular surface at t = 1.02 s: there the actuators no longer determine the pose"));
   CHECK(pushed.time.size() == 21);  // the last at 1 s
   CHECK(pushed.value.allFinite());
@@ -194,9 +196,9 @@ TEST_CASE("a motion that may last until a singular surface ends at the last samp
   CHECK_FALSE(pushed.at(1.0201, &theta, &rate, &acceleration));
 
   const Loaded beyond = cranked(drive);
-  CHECK(beyond.scenario.motion.time.size() == 41);
-  CHECK(beyond.scenario.motion.ending == pushed.ending);
-  CHECK_FALSE(beyond.scenario.motion.value.bottomRows(20).array().isFinite().any());
+  CHECK(beyond.trajectory.time.size() == 41);
+  CHECK(beyond.trajectory.ending == pushed.ending);
+  CHECK_FALSE(beyond.trajectory.value.bottomRows(20).array().isFinite().any());
 }
 
 TEST_CASE("a motion that meets a singular surface before its second sample is refused") {

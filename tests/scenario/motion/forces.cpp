@@ -27,12 +27,13 @@ TEST_CASE("the forces of the actuators move the coordinates from where they star
   // x'' = -100/s^2 (x - 10 mm), phi'' = -phi'/s
   const Loaded l = loaded(forced("start = { x = \"30 mm\" }\nstart_rate = { phi = \"0.5 rad/s\" }\n",
                                  "q = \"-500 N/m * (q - 10 mm)\"\npsi = \"-0.02 N*m*s/rad * psi_rate\"\n"));
-  const Motion& m = l.scenario.motion;
-  CHECK(m.by_forces);
-  CHECK_FALSE(m.by_actuators);
+  const mechanics::Trajectory& m = l.trajectory;
+  const MotionRequest& asked = l.scenario.motion.value();
+  CHECK(asked.by_forces());
+  CHECK_FALSE(asked.by_actuators());
   CHECK(m.ending.empty());
-  CHECK(m.asked == 2);
-  CHECK(m.description ==
+  CHECK(asked.end == 2);
+  CHECK(asked.description ==
         "force of q = -500 N/m * (q - 10 mm)\nforce of psi = -0.02 N*m*s/rad * psi_rate\nstart: x = 30 mm, phi_rate = 0.5 rad/s");
   REQUIRE(m.time.size() == 21);
   const auto check = [](double t, const double* value, const double* rate, const double* acceleration) {
@@ -62,7 +63,8 @@ TEST_CASE("the forces of the actuators move the coordinates from where they star
 TEST_CASE("one force may stand for all, with the actuator's own value, rate and home; a name beside it overrides") {
   const Loaded l =
       loaded(forced("start = { phi = \"0.1 rad\" }\n", "all = \"-2 N*m/rad * (value - home) - 0.04 N*m*s/rad * rate\"\nq = \"1 N\"\n"));
-  const Motion& m = l.scenario.motion;
+  const mechanics::Trajectory& m = l.trajectory;
+  const MotionRequest& asked = l.scenario.motion.value();
   // phi'' = -100 phi - 2 phi'
   const double w = std::sqrt(99.0);
   for (Eigen::Index i = 0; i < 21; ++i) {
@@ -70,7 +72,7 @@ TEST_CASE("one force may stand for all, with the actuator's own value, rate and 
     CHECK(m.value(i, 0) == Approx(0.1 * t * t).margin(integrated));
     CHECK(m.value(i, 1) == Approx(0.1 * std::exp(-t) * (std::cos(w * t) + std::sin(w * t) / w)).margin(integrated));
   }
-  CHECK(m.description ==
+  CHECK(asked.description ==
         "force of each actuator = -2 N*m/rad * (value - home) - 0.04 N*m*s/rad * rate\nforce of q = 1 N\nstart: phi = 0.1 "
         "rad, at rest");
 }
@@ -78,13 +80,14 @@ TEST_CASE("one force may stand for all, with the actuator's own value, rate and 
 TEST_CASE("a force may name the other actuators and the time; who is not named exerts none") {
   // phi = 0.3 rad/s t drives the slide: x'' = 0.06 t + 0.1 t^2.
   const Loaded l = loaded(forced("start_rate = { phi = \"0.3 rad/s\" }\n", "q = \"1 N/rad * psi + 0.5 N/s^2 * t^2\"\n"));
-  const Motion& m = l.scenario.motion;
+  const mechanics::Trajectory& m = l.trajectory;
+  const MotionRequest& asked = l.scenario.motion.value();
   for (Eigen::Index i = 0; i < 21; ++i) {
     const double t = m.time[static_cast<std::size_t>(i)];
     CHECK(m.value(i, 1) == Approx(0.3 * t).margin(integrated));
     CHECK(m.value(i, 0) == Approx(0.01 * t * t * t + t * t * t * t / 120).margin(integrated));
   }
-  CHECK_THAT(m.description, Contains("\nno force of psi\nstart: home, phi_rate = 0.3 rad/s"));
+  CHECK_THAT(asked.description, Contains("\nno force of psi\nstart: home, phi_rate = 0.3 rad/s"));
 }
 
 TEST_CASE("load and gravity act on a motion from forces, and the load is known at any time") {
@@ -92,22 +95,23 @@ TEST_CASE("load and gravity act on a motion from forces, and the load is known a
                                  "[load]\nforce = [\"1 N\", \"0 N\", \"0 N\"]\nmoment = [\"0 N*m\", \"0 N*m\", \"10 N*mm * sin(t/1 s)\"]\n"
                                  "gravity = [\"-0.3 m/s^2\", \"0 m/s^2\", \"-9.81 m/s^2\"]\n"));
   const Scenario& s = l.scenario;
+  const mechanics::Trajectory& m = l.trajectory;
   for (Eigen::Index i = 0; i < 21; ++i) {
-    const double t = s.motion.time[static_cast<std::size_t>(i)];
-    CHECK(s.motion.value(i, 0) == Approx(0.5 * (1.0 / 5 - 0.3) * t * t).margin(integrated));
-    CHECK(s.motion.value(i, 1) == Approx(0.5 * (t - std::sin(t))).margin(integrated));
+    const double t = m.time[static_cast<std::size_t>(i)];
+    CHECK(m.value(i, 0) == Approx(0.5 * (1.0 / 5 - 0.3) * t * t).margin(integrated));
+    CHECK(m.value(i, 1) == Approx(0.5 * (t - std::sin(t))).margin(integrated));
   }
   const Eigen::Matrix<double, 6, 1> wrench = s.load.at(0.7);
   CHECK(wrench(0) == 1);
   CHECK(wrench(5) == Approx(0.01 * std::sin(0.7)));
   CHECK(s.load.moment[7].z() == Approx(0.01 * std::sin(0.7)));
-  CHECK(s.motion.description == "no force of q and psi\nstart: home, at rest");
+  CHECK(s.motion->description == "no force of q and psi\nstart: home, at rest");
 }
 
 TEST_CASE("what ends a motion from forces is told, and allowed when the scenario says so") {
   // x = 0.6 m/s^2 t^2 reaches 500 mm at t = sqrt(5/6) s.
   const Loaded l = loaded(forced("", "q = \"6 N\"\n"));
-  const Motion& m = l.scenario.motion;
+  const mechanics::Trajectory& m = l.trajectory;
   CHECK(m.ending == "ends at t = 0.912871 s: q (slide) reaches the upper end of its stroke, 500 mm");
   CHECK(m.time.size() == 21);
   CHECK(m.value.topRows(10).allFinite());
@@ -117,18 +121,19 @@ TEST_CASE("what ends a motion from forces is told, and allowed when the scenario
   CHECK_FALSE(m.at(0.9129, q, rate, acceleration));
   CHECK(m.work == Approx(6 * 0.6 * 0.81).epsilon(integrated));  // to the last sample with a pose, 0.9 s
 
-  const Motion cut = loaded(forced("until = \"limit\"\n", "q = \"6 N\"\n")).scenario.motion;
+  const Loaded shortened = loaded(forced("until = \"limit\"\n", "q = \"6 N\"\n"));
+  const mechanics::Trajectory& cut = shortened.trajectory;
   CHECK(cut.ending == m.ending);
   CHECK(cut.time.size() == 10);
   CHECK(cut.value.allFinite());
-  CHECK(cut.asked == 2);
-  CHECK(cut.until_singularity);
-  const Motion not_excused = loaded(forced("until = \"singularity\"\n", "q = \"6 N\"\n")).scenario.motion;
+  CHECK(shortened.scenario.motion->end == 2);
+  CHECK(shortened.scenario.motion->until_singularity);
+  const mechanics::Trajectory not_excused = loaded(forced("until = \"singularity\"\n", "q = \"6 N\"\n")).trajectory;
   CHECK(not_excused.time.size() == 21);
   CHECK_THAT(told(forced("until = \"limit\"\n", "q = \"6 kN\"\n")),
              Contains("a.toml:7:2: error: the motion has no second sample: it ends at t = 0.02"));
 
-  const Motion edge = loaded(forced("start_rate = { y = \"300 mm/s\" }\n", "", "", "dependent = \"phi\"")).scenario.motion;
+  const mechanics::Trajectory edge = loaded(forced("start_rate = { y = \"300 mm/s\" }\n", "", "", "dependent = \"phi\"")).trajectory;
   CHECK_THAT(edge.ending, Contains("psi (turn) reaches the upper end of its stroke, 63.0254°"));
 }
 
@@ -156,7 +161,7 @@ TEST_CASE("mistakes in the forces are told where they stand") {
   CHECK_THAT(tell("q = \"1 N / (q/1 mm)\""), Contains("a.toml:12:5: error: the force of q has no finite value at t = 0 s"));
   CHECK_THAT(tell("q = nan"), Contains("expected a finite number") && Contains("seen nan"));
   CHECK(tell("q = \"1 N * sqrt(1 - t/1 s)\"").empty());
-  CHECK_THAT(loaded(forced("", "q = \"1 N * sqrt(1 - t/1 s)\"\n")).scenario.motion.ending,
+  CHECK_THAT(loaded(forced("", "q = \"1 N * sqrt(1 - t/1 s)\"\n")).trajectory.ending,
              Contains("ends at t = 1 s: the force of q has no finite value"));
 }
 

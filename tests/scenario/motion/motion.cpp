@@ -13,9 +13,13 @@ constexpr double pi = 3.14159265358979323846;
 std::string moving(std::string_view motion) {
   return "title = \"Stage\"\n[mechanism]\nuse = \"stage\"\n[[section]]\nkind = \"displacement\"\n[motion]\n" + std::string(motion);
 }
+struct Motion : mechanics::Trajectory {
+  std::string description;
+};
 Motion motion_of(const std::string& text, const std::filesystem::path& file = "a.toml") {
   INFO(told(text, file));
-  return load_text(text, file, stage::source()).scenario.motion;
+  const Loaded l = load_text(text, file, stage::source());  // a prescribed path asks no machine: it may outlive it
+  return {l.trajectory, l.scenario.motion->description};
 }
 
 constexpr std::string_view points = R"(

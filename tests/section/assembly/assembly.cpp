@@ -70,7 +70,7 @@ struct Run {
       : loaded(scenario::load_text("title = \"Lever\"\n[mechanism]\nuse = \"lever\"\n[motion]\nduration = \"2 s\"\nsamples = 21\n"
                                    "theta = \"40 deg + 10 deg * sin(2*pi*t/2 s)\"\n[[section]]\nkind = \"assembly\"\n",
                                    "a.toml", source())),
-        analysis(loaded.scenario, *loaded.machine, {}) {}
+        analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
   section::Result assembly(const scenario::SectionRequest& request) {
     scene::Studio studio;
     return section::assembly_section(analysis, request, section::Stage(analysis, studio), {});

@@ -17,7 +17,7 @@ section::Result compare(const std::string& rows, const std::string& options = ""
                            "[[section]]\nkind = \"classification\"\n[[section]]\nkind = \"comparison\"\n" + options + rows;
   INFO(trial::told(text));
   const scenario::Loaded loaded = scenario::load_text(text, "a.toml", stage::source());
-  const section::Analysis a(loaded.scenario, *loaded.machine, {});
+  const section::Analysis a(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {});
   return section::comparison_section(a, loaded.scenario.sections.back(),
                                      {{"classification", "by_rule", "", 151}, {"classification", "base_schemes", "", 118}});
 }

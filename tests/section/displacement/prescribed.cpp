@@ -20,7 +20,7 @@ struct Run {
             "\"1 s\"\nsamples = 21\n" +
                 motion,
             "a.toml", {[](const std::string&) { return &contract::mechanism<test::SliderCrank>; }, {"crank"}})),
-        analysis(loaded.scenario, *loaded.machine, {}) {}
+        analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
   scenario::Loaded loaded;
   section::Analysis analysis;
 };

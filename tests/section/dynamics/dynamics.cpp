@@ -60,7 +60,8 @@ scenario::MechanismSource lift() { return test::only<Lift>(); }
 
 struct Run {
   explicit Run(const std::string& text)
-      : loaded(scenario::load_text(text, "a.toml", lift())), analysis(loaded.scenario, *loaded.machine, {}) {}
+      : loaded(scenario::load_text(text, "a.toml", lift())),
+        analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
   double at(const std::string& column, int sample) const { return analysis.column(column)[static_cast<std::size_t>(sample)]; }
   scenario::Loaded loaded;
   section::Analysis analysis;

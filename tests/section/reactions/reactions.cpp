@@ -18,7 +18,7 @@ const std::string pushed = "[load]\nforce = [\"0 N\", \"7 N\", \"0 N\"]\n" + ask
 struct OnStage {  // at rest
   explicit OnStage(const std::string& more)
       : loaded(scenario::load_text(trial::with("20 mm * sin(2*pi*t/10 s)", "0 mm") + more, "a.toml", stage::source())),
-        analysis(loaded.scenario, *loaded.machine, {}) {}
+        analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
   scenario::Loaded loaded;
   section::Analysis analysis;
 };

@@ -68,7 +68,7 @@ struct Run {
       : loaded(scenario::load_text("title = \"Sleigh\"\n[mechanism]\nuse = \"sleigh\"\n[motion]\nduration = \"2 s\"\nsamples = 11\nx = \"" +
                                        x + "\"\n[[section]]\nkind = \"velocity\"\n",
                                    "a.toml", source())),
-        analysis(loaded.scenario, *loaded.machine, {}) {}
+        analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
   section::Result singularity(const scenario::SectionRequest& r) {
     scene::Studio studio;
     return section::singularity_section(analysis, r, section::Stage(analysis, studio), {});

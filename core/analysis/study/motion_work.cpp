@@ -1,8 +1,8 @@
 // Power has no closed integral, so it is added up by a pair of Gauss and Kronrod rules: seven points give exact integrals of polynomials to
 // degree 13, eight more to degree 22, and the difference tells how far the interval must be halved. Kinks (of a motion whose jerk jumps, of
 // the power that turns its sign where only the negative part counts) cost a few halvings where they stand.
-#include <core/analysis/motion_probe.hpp>
-#include <core/analysis/motion_work.hpp>
+#include <core/analysis/samples/motion_probe.hpp>
+#include <core/analysis/study/motion_work.hpp>
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -106,7 +106,7 @@ double energy_at(const Analysis& a, std::size_t k) { return a.column("kinetic_en
 // Same pose and same rates, to what the rounding of a motion's expressions leaves of them.
 bool returns(const Analysis& a) {
   constexpr double tolerance = 1e-9;
-  const scenario::Motion& m = a.scenario().motion;
+  const mechanics::Trajectory& m = a.trajectory();
   const auto same = [&](const Eigen::MatrixXd& x) {
     for (Eigen::Index i = 0; i < x.cols(); ++i) {
       const double scale = x.col(i).cwiseAbs().maxCoeff();
@@ -118,17 +118,10 @@ bool returns(const Analysis& a) {
 }
 
 // The samples with forces, in runs.
-std::vector<Interval> runs_with_forces(const Analysis& a) {
-  std::vector<Interval> out;
+std::vector<SampleRun> runs_with_forces(const Analysis& a) {
   const std::vector<double>& p = a.column("total_power");
-  for (int k = 0; k < a.samples(); ++k) {
-    if (!std::isfinite(p[static_cast<std::size_t>(k)])) continue;
-    if (!out.empty() && out.back().last == k - 1)
-      out.back().last = k;
-    else
-      out.push_back({k, k});
-  }
-  std::erase_if(out, [](const Interval& i) { return i.first == i.last; });
+  std::vector<SampleRun> out = runs(a.samples(), [&](int k) { return std::isfinite(p[static_cast<std::size_t>(k)]); });
+  std::erase_if(out, [](const SampleRun& i) { return i.first == i.last; });
   return out;
 }
 
@@ -137,16 +130,16 @@ std::vector<Interval> runs_with_forces(const Analysis& a) {
 double MotionWork::work() const { return std::accumulate(actuators.begin(), actuators.end(), 0.0); }
 
 std::optional<MotionWork> motion_work(const Analysis& a) {
-  const std::vector<Interval> runs = runs_with_forces(a);
-  if (runs.empty() || !a.crossings().empty()) return std::nullopt;
+  const std::vector<SampleRun> found = runs_with_forces(a);
+  if (found.empty() || !a.crossings().empty()) return std::nullopt;
   const std::size_t m = a.machine().topology().actuators.size();
   MotionWork out;
-  out.whole = runs.size() == 1 && runs.front().first == 0 && runs.front().last == a.samples() - 1;
+  out.whole = found.size() == 1 && found.front().first == 0 && found.front().last == a.samples() - 1;
   out.closed = out.whole && returns(a);
   out.flow = flow_of(a);
   std::vector<double> sums(2 * m + 1, 0.0);
-  tbb::enumerable_thread_specific<MotionProbe> probes([&] { return MotionProbe(a.scenario(), a.machine()); });
-  for (const Interval& run : runs) {
+  tbb::enumerable_thread_specific<MotionProbe> probes([&] { return MotionProbe(a.trajectory(), a.scenario().load, a.machine()); });
+  for (const SampleRun& run : found) {
     const auto first = static_cast<std::size_t>(run.first), last = static_cast<std::size_t>(run.last);
     out.stored += energy_at(a, last) - energy_at(a, first);
     const double from = a.time()[first], to = a.time()[last];

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <core/mechanics/dynamics/virtual_work.hpp>
-#include <core/scenario/scenario.hpp>
+#include <core/mechanics/trajectory/trajectory.hpp>
+#include <core/scenario/load.hpp>
 
 #include <vector>
 
@@ -11,8 +12,8 @@ namespace pmreport::analysis {
 // Keeps buffers: one object a thread.
 class MotionProbe {
  public:
-  MotionProbe(const scenario::Scenario& s, const mechanics::Machine& m)
-      : scenario_(s), machine_(m), value_(m.dof()), rate_(m.dof()), acceleration_(m.dof()) {}
+  MotionProbe(const mechanics::Trajectory& trajectory, const scenario::Load& load, const mechanics::Machine& m)
+      : trajectory_(trajectory), load_(load), machine_(m), value_(m.dof()), rate_(m.dof()), acceleration_(m.dof()) {}
 
   bool go(double t);  // false where the motion has no pose
   const mechanics::State& state() const { return state_; }
@@ -22,7 +23,8 @@ class MotionProbe {
   void powers(std::vector<double>& out) const;  // of each actuator, then of the load [W]
 
  private:
-  const scenario::Scenario& scenario_;
+  const mechanics::Trajectory& trajectory_;
+  const scenario::Load& load_;
   const mechanics::Machine& machine_;
   mechanics::SmallVector value_, rate_, acceleration_;
   double time_ = 0;

@@ -1,4 +1,4 @@
-#include <core/analysis/force_columns.hpp>
+#include <core/analysis/samples/force_columns.hpp>
 
 #include <core/scenario/section/columns.hpp>
 

@@ -1,8 +1,11 @@
-#include <core/analysis/sample_work.hpp>
+#include <core/analysis/samples/sample_work.hpp>
+
+#include <core/analysis/conditioning.hpp>
 #include <core/mechanics/model/differences.hpp>
 #include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/statics/statics.hpp>
+#include <core/scenario/section/columns.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,19 +18,12 @@ using mechanics::Vector6d;
 
 namespace {
 
-// Deviation over scale; nothing over nothing agrees.
-double relative(double deviation, double scale) { return scale > 0 ? deviation / scale : deviation; }
 double largest_of(const Eigen::VectorXd& v) { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0; }
-
-// A residual that is not a number must not pass for a small one.
-void set(Row& row, Measure m, double value) {
-  row[static_cast<std::size_t>(m)] = std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
-}
 
 }  // namespace
 
 Outcome SampleWork::run(int sample, int previous, Row& row, const Put& put) {
-  const scenario::Motion& motion = scenario_.motion;
+  const mechanics::Trajectory& motion = trajectory_;
   const Eigen::VectorXd q = motion.value.row(sample), rate = motion.rate.row(sample), acceleration = motion.acceleration.row(sample);
   if (!q.allFinite()) {
     state_.why = "the motion " + motion.ending;
@@ -38,12 +34,18 @@ Outcome SampleWork::run(int sample, int previous, Row& row, const Put& put) {
   if (state_.status != PM_OK) return Outcome::failed;
 
   const mechanics::ClosedForm c = closed_form(machine_, state_, length_);
-  const mechanics::GenericModel model = generic_model(machine_, state_);
+  const bool rates = asked_.velocity_evidence || asked_.acceleration_evidence;
+  const mechanics::GenericModel model = rates || asked_.statics ? generic_model(machine_, state_) : mechanics::GenericModel{};
   kinematics(put, c);
-  residuals(row, c, model);
-  if (c.condition < Analysis::comparable) set(row, Measure::round_trip, round_trip(sample, previous, c.condition));
-  if (!(c.condition < Analysis::singular)) return Outcome::singular;
-  if (statics_) statics(sample, row, put, c, model);
+  if (asked_.displacement_evidence) {
+    const mechanics::ClosureError e = closure_.error(state_.bodies);
+    set(row, Measure::gap, e.gap);
+    set(row, Measure::misalignment, e.misalignment);
+  }
+  if (rates) prove_rates(row, c, model);
+  if (asked_.displacement_evidence && c.condition < comparable) set(row, Measure::round_trip, round_trip(sample, previous, c.condition));
+  if (!(c.condition < singular)) return Outcome::singular;
+  if (asked_.statics) statics(sample, row, put, c, model);
   return Outcome::good;
 }
 
@@ -81,11 +83,8 @@ void SampleWork::kinematics(const Put& put, const mechanics::ClosedForm& c) {
   }
 }
 
-void SampleWork::residuals(Row& row, const mechanics::ClosedForm& c, const mechanics::GenericModel& model) {
-  const mechanics::ClosureError e = closure_.error(state_.bodies);
-  set(row, Measure::gap, e.gap);
-  set(row, Measure::misalignment, e.misalignment);
-
+// Of velocities and accelerations together: they share what they are made of.
+void SampleWork::prove_rates(Row& row, const mechanics::ClosedForm& c, const mechanics::GenericModel& model) {
   const Eigen::VectorXd v = stacked_twists(state_), a = stacked_twist_rates(state_);
   const double v_scale = largest_of(v), a_scale = std::max(largest_of(a), v_scale * v_scale);
   const Vector6d twist = platform().twist(), twist_rate = platform().twist_rate();
@@ -94,7 +93,7 @@ void SampleWork::residuals(Row& row, const mechanics::ClosedForm& c, const mecha
   set(row, Measure::acceleration, relative(largest_of(model.constraints * a + model.bias), a_scale));
   set(row, Measure::jacobian, relative(largest_of(c.jacobian * twist - rates), v_scale));
   set(row, Measure::jacobian_rate, relative(largest_of(c.jacobian * twist_rate + c.jacobian_rate * twist - accelerations), a_scale));
-  if (c.condition < Analysis::comparable) {
+  if (c.condition < comparable) {
     set(row, Measure::forward_velocity, relative(largest_of(forward_velocity(c, rates) - twist), v_scale));
     set(row, Measure::forward_acceleration, relative(largest_of(forward_acceleration(c, accelerations, twist) - twist_rate), a_scale));
   }
@@ -109,11 +108,9 @@ void SampleWork::residuals(Row& row, const mechanics::ClosedForm& c, const mecha
 // The guess lies towards the neighbouring sample, at most a tenth of the characteristic length, or 0.1 rad, away; nearer next to a singular
 // pose, beyond which another assembly mode has the same actuator values.
 double SampleWork::round_trip(int sample, int previous, double condition) {
-  const auto unit = [&](int i) {
-    return mechanics::size_of(machine_.topology().coordinates[static_cast<std::size_t>(i)].sense(), length_);
-  };
-  const Eigen::VectorXd q = scenario_.motion.value.row(sample);
-  Eigen::VectorXd neighbour = scenario_.motion.value.row(previous);
+  const auto unit = [&](int i) { return mechanics::size_of(machine_.topology().coordinates[static_cast<std::size_t>(i)].sense(), length_); };
+  const Eigen::VectorXd q = trajectory_.value.row(sample);
+  Eigen::VectorXd neighbour = trajectory_.value.row(previous);
   if (!neighbour.allFinite()) neighbour = q;
   const double allowed = std::min(0.1, 1 / condition);
   double far = 0;
@@ -130,7 +127,7 @@ double SampleWork::round_trip(int sample, int previous, double condition) {
 
 void SampleWork::statics(int sample, Row& row, const Put& put, const mechanics::ClosedForm& c, const mechanics::GenericModel& model) {
   const Topology& t = machine_.topology();
-  const scenario::Load& load = scenario_.load;
+  const scenario::Load& load = load_;
   const Eigen::VectorXd weight = weights(machine_, state_, load.gravity), twists = stacked_twists(state_);
   Vector6d wrench;
   wrench << load.force[static_cast<std::size_t>(sample)], load.moment[static_cast<std::size_t>(sample)];
@@ -142,7 +139,7 @@ void SampleWork::statics(int sample, Row& row, const Put& put, const mechanics::
   for (int i = 0; i < machine_.dof(); ++i) put(t.actuators[static_cast<std::size_t>(i)].name + "_force", forces(i));
   for (std::size_t i = 0; i < t.constraints.size(); ++i) put(t.constraints[i].name, on_platform(machine_.dof() + static_cast<int>(i)));
 
-  if (c.condition < Analysis::comparable) {
+  if (c.condition < comparable) {
     Eigen::VectorXd wrenches = weight;
     wrenches.segment<6>(6 * t.platform - 6) += wrench;
     const mechanics::GenericStatics g = generic_statics(model, wrenches);

@@ -1,16 +1,16 @@
-#include <core/analysis/sample_forces.hpp>
+#include <core/analysis/samples/sample_forces.hpp>
 
 #include <core/mechanics/dynamics/drive.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pmreport::analysis {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+using mechanics::Indeterminate;
 using mechanics::SmallVector;
 using mechanics::Vector6d;
 
@@ -20,32 +20,29 @@ void put(double* column, std::size_t sample, double value) {
   if (column != nullptr && std::isfinite(value)) column[sample] = value + 0.0;  // no negative zero
 }
 
-// A residual that is not a number must not pass for a small one.
-void set(Row& row, Measure m, double value) {
-  row[static_cast<std::size_t>(m)] = std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
-}
-
-double relative(double deviation, double scale) { return scale > 0 ? deviation / scale : deviation; }
-
 }  // namespace
 
-SampleForces::SampleForces(const scenario::Scenario& s, const mechanics::Machine& m, const mechanics::JointFrames& frames, double length,
-                           const ForceColumns& columns)
-    : scenario_(s),
+SampleForces::SampleForces(const mechanics::Trajectory& trajectory, const scenario::Load& load,
+                           const std::vector<mechanics::DriveTrain>& drives, const mechanics::Machine& m,
+                           const mechanics::JointFrames& frames, double length, const ForceColumns& columns, bool evidence)
+    : trajectory_(trajectory),
+      load_(load),
+      drives_(drives),
       machine_(m),
       frames_(frames),
       length_(length),
       columns_(columns),
+      evidence_(evidence),
       dynamics_(m),
       indeterminate_(m.topology().joints.size(), 0) {
-  loading_.gravity = s.load.gravity;
+  loading_.gravity = load.gravity;
   reactions_.joints.resize(m.topology().joints.size());
   reactions_.actuator_forces.resize(m.dof());
 }
 
-void SampleForces::run(std::span<const Order> orders, std::vector<Row>& rows) {
+void SampleForces::run(std::span<const Order> orders, Residuals& residuals) {
   solve(orders);
-  const scenario::Motion& motion = scenario_.motion;
+  const mechanics::Trajectory& motion = trajectory_;
   for (std::size_t k = 0; k < orders.size(); ++k) {
     const Order& order = orders[k];
     const auto sample = static_cast<std::size_t>(order.sample);
@@ -53,7 +50,7 @@ void SampleForces::run(std::span<const Order> orders, std::vector<Row>& rows) {
     const SmallVector q = motion.value.row(order.sample), rate = motion.rate.row(order.sample),
                       acceleration = motion.acceleration.row(order.sample);
     evaluate(machine_, q.data(), rate.data(), acceleration.data(), state_);
-    loading_.platform << scenario_.load.force[sample], scenario_.load.moment[sample];
+    loading_.platform << load_.force[sample], load_.moment[sample];
     const mechanics::Tangent t = tangent(machine_, state_);
     const mechanics::ForceShares shares = virtual_work(machine_, state_, t, loading_);
     const SmallVector total = shares.total();
@@ -61,22 +58,26 @@ void SampleForces::run(std::span<const Order> orders, std::vector<Row>& rows) {
     put_drives(sample, t, total);
     put_reactions(sample);
 
-    const VectorXd required = inertial_wrenches(machine_, state_) - applied_wrenches(machine_, state_, loading_);
-    Row& row = rows[sample];
-    set(row, Measure::free_body, free_body_residual(machine_, state_, reactions_.joints, reactions_.actuator_forces, required, length_));
-    if (!order.compared) continue;
-    // Shares that cancel leave their rounding behind.
-    double scale = required.lpNorm<Eigen::Infinity>();
-    for (const SmallVector* share : {&shares.load, &shares.gravity, &shares.inertia})
-      scale = std::max(scale, share->lpNorm<Eigen::Infinity>());
-    set(row, Measure::newton_euler, relative((total - reactions_.actuator_forces).lpNorm<Eigen::Infinity>(), scale));
-    if (order.judged) set(row, Measure::judge, judge());
+    if (evidence_) prove(order, shares, total, residuals[sample]);
   }
+}
+
+// Of what `take` took.
+void SampleForces::prove(const Order& order, const mechanics::ForceShares& shares, const SmallVector& total, Row& row) const {
+  const VectorXd required = inertial_wrenches(machine_, state_) - applied_wrenches(machine_, state_, loading_);
+  set(row, Measure::free_body, free_body_residual(machine_, state_, reactions_.joints, reactions_.actuator_forces, required, length_));
+  if (!order.compared) return;
+  // Shares that cancel leave their rounding behind.
+  double scale = required.lpNorm<Eigen::Infinity>();
+  for (const SmallVector* share : {&shares.load, &shares.gravity, &shares.inertia})
+    scale = std::max(scale, share->lpNorm<Eigen::Infinity>());
+  set(row, Measure::newton_euler, relative((total - reactions_.actuator_forces).lpNorm<Eigen::Infinity>(), scale));
+  if (order.judged) set(row, Measure::judge, judge());
 }
 
 void SampleForces::solve(std::span<const Order> orders) {
   const std::size_t count = orders.size(), dof = static_cast<std::size_t>(machine_.dof());
-  const scenario::Motion& motion = scenario_.motion;
+  const mechanics::Trajectory& motion = trajectory_;
   jets_.resize(3 * dof * count);
   loads_.resize(6 * count);
   for (std::size_t k = 0; k < count; ++k) {
@@ -88,11 +89,11 @@ void SampleForces::solve(std::span<const Order> orders) {
       jets_[(3 * i + 2) * count + k] = motion.acceleration(sample, column);
     }
     for (std::size_t c = 0; c < 3; ++c) {
-      loads_[c * count + k] = scenario_.load.force[static_cast<std::size_t>(sample)](static_cast<Index>(c));
-      loads_[(3 + c) * count + k] = scenario_.load.moment[static_cast<std::size_t>(sample)](static_cast<Index>(c));
+      loads_[c * count + k] = load_.force[static_cast<std::size_t>(sample)](static_cast<Index>(c));
+      loads_[(3 + c) * count + k] = load_.moment[static_cast<std::size_t>(sample)](static_cast<Index>(c));
     }
   }
-  dynamics_.solve(count, jets_.data(), loads_.data(), scenario_.load.gravity, chunk_);
+  dynamics_.solve(count, jets_.data(), loads_.data(), load_.gravity, chunk_);
   self_stresses_ = std::max(self_stresses_, chunk_.stress_count);
 }
 
@@ -133,7 +134,7 @@ void SampleForces::put_drives(std::size_t sample, const mechanics::Tangent& tang
     const auto at = static_cast<Index>(i);
     const ForceColumns::OfActuator& to = columns_.actuators[i];
     const mechanics::Scalar& x = state_.actuators[i];
-    const mechanics::DriveTrain& drive = scenario_.drives.at(i);
+    const mechanics::DriveTrain& drive = drives_.at(i);
     const double force = drive_force(drive, total(at), x.rate);
     put(to.drive_force, sample, force);
     put(to.drive_power, sample, force * x.rate);

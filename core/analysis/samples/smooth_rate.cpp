@@ -1,4 +1,4 @@
-#include <core/analysis/smooth_rate.hpp>
+#include <core/analysis/samples/smooth_rate.hpp>
 
 #include <algorithm>
 #include <cmath>

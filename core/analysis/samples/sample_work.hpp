@@ -1,26 +1,28 @@
 // The work on one sample of a motion: every output number, and the residuals that prove them.
 #pragma once
 
-#include <core/analysis/analysis.hpp>
+#include <core/analysis/asked.hpp>
+#include <core/analysis/residuals.hpp>
+#include <core/analysis/samples/condition.hpp>
 #include <core/mechanics/displacement/displacement.hpp>
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/trajectory/trajectory.hpp>
+#include <core/scenario/load.hpp>
 
-#include <array>
 #include <functional>
 #include <string>
 
 namespace pmreport::analysis {
 
-using Row = std::array<double, static_cast<std::size_t>(Measure::count)>;
-
 // Each thread has its own, with the buffers it reuses.
 class SampleWork {
  public:
-  // `length`: characteristic length [m]; `statics`: whether forces are asked for.
-  SampleWork(const scenario::Scenario& s, const mechanics::Machine& m, const mechanics::Closure& closure, double length, bool statics)
-      : scenario_(s), machine_(m), closure_(closure), forward_(m), length_(length), statics_(statics) {}
+  // `length`: characteristic length [m].
+  SampleWork(const mechanics::Trajectory& trajectory, const scenario::Load& load, const mechanics::Machine& m,
+             const mechanics::Closure& closure, double length, const Asked& asked)
+      : trajectory_(trajectory), load_(load), machine_(m), closure_(closure), forward_(m), length_(length), asked_(asked) {}
 
   using Put = std::function<void(const std::string& column, double value)>;
 
@@ -30,17 +32,18 @@ class SampleWork {
 
  private:
   void kinematics(const Put& put, const mechanics::ClosedForm& c);
-  void residuals(Row& row, const mechanics::ClosedForm& c, const mechanics::GenericModel& model);
+  void prove_rates(Row& row, const mechanics::ClosedForm& c, const mechanics::GenericModel& model);
   double round_trip(int sample, int previous, double condition);
   void statics(int sample, Row& row, const Put& put, const mechanics::ClosedForm& c, const mechanics::GenericModel& model);
   const mechanics::BodyState& platform() const { return state_.bodies[static_cast<std::size_t>(machine_.topology().platform)]; }
 
-  const scenario::Scenario& scenario_;
+  const mechanics::Trajectory& trajectory_;
+  const scenario::Load& load_;
   const mechanics::Machine& machine_;
   const mechanics::Closure& closure_;
   mechanics::ForwardSolver forward_;
   double length_;
-  bool statics_;
+  Asked asked_;
   mechanics::State state_;
 };
 

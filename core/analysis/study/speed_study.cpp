@@ -1,18 +1,14 @@
-#include <reports/section/speed/speed.hpp>
-
-#include <reports/section/common/force_plots.hpp>
-#include <reports/section/common/words.hpp>
+#include <core/analysis/study/speed_study.hpp>
 
 #include <core/mechanics/dynamics/virtual_work.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/reactions/inverse_dynamics.hpp>
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-namespace pmreport::section {
+namespace pmreport::analysis {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -31,8 +27,6 @@ MatrixXd matrix_of(const Analysis& a, std::initializer_list<const char*> suffixe
       out.col(static_cast<Index>(i)) += Eigen::Map<const Eigen::VectorXd>(a.column(actuators[i].name + suffix).data(), a.samples());
   return out;
 }
-
-bool of_joint(const SpeedLimit& l) { return l.kind == Kind::joint_force || l.kind == Kind::joint_moment; }
 
 // All reactions in base axes, six numbers a joint, of the motion as it stands. A ball transmits no moment and has no columns of one.
 MatrixXd reactions_in_motion(const Analysis& a) {
@@ -64,7 +58,7 @@ MatrixXd reactions_at_rest(const Analysis& a) {
     std::vector<double> jets(3 * dof * count, 0.0), loads(6 * count);
     for (std::size_t k = 0; k < count; ++k) {
       const auto sample = static_cast<std::size_t>(poses[k]);
-      for (std::size_t i = 0; i < dof; ++i) jets[3 * i * count + k] = s.motion.value(poses[k], static_cast<Index>(i));
+      for (std::size_t i = 0; i < dof; ++i) jets[3 * i * count + k] = a.trajectory().value(poses[k], static_cast<Index>(i));
       for (std::size_t c = 0; c < 3; ++c) {
         loads[c * count + k] = s.load.force[sample](static_cast<Index>(c));
         loads[(c + 3) * count + k] = s.load.moment[sample](static_cast<Index>(c));
@@ -79,20 +73,7 @@ MatrixXd reactions_at_rest(const Analysis& a) {
 
 }  // namespace
 
-namespace {
-double step_of(double x) { return std::pow(10.0, std::floor(std::log10(x)) - 3); }
-constexpr double exact = 1e-9;  // of a step: a number that has four digits keeps them
-}  // namespace
-
-std::string speed_words(double scale) {
-  const double step = step_of(scale);
-  return format_number(std::floor(scale / step + exact) * step, 4);
-}
-
-std::string duration_words(double seconds) {
-  const double step = step_of(seconds);
-  return show(std::ceil(seconds / step - exact) * step, "s");
-}
+bool of_joint(const SpeedLimit& l) { return l.kind == Kind::joint_force || l.kind == Kind::joint_moment; }
 
 SpeedStudy::SpeedStudy(const Analysis& a) : a_(a) {
   const mechanics::MotionLimits& limits = a.scenario().limits;
@@ -122,40 +103,6 @@ std::vector<SpeedStudy::Own> SpeedStudy::own() const {
   return out;
 }
 
-std::string SpeedStudy::brief_subject(const SpeedLimit& l) const {
-  const Topology& t = a_.machine().topology();
-  const auto i = static_cast<std::size_t>(l.index);
-  if (of_joint(l)) return fmt::format("{} in joint {}", l.kind == Kind::joint_force ? "force" : "moment", t.joints[i].name);
-  const Actuator& x = t.actuators[i];
-  return fmt::format("{} of {}",
-                     l.kind == Kind::actuator_force   ? effort(x.unit)
-                     : l.kind == Kind::actuator_speed ? "speed"
-                                                      : "power",
-                     symbol(x.name));
-}
-
-std::string SpeedStudy::subject(const SpeedLimit& l) const {
-  if (of_joint(l)) return brief_subject(l);
-  return fmt::format("{} ({})", brief_subject(l), a_.machine().topology().actuators[static_cast<std::size_t>(l.index)].title);
-}
-
-std::string SpeedStudy::unit(const SpeedLimit& l) const {
-  const Topology& t = a_.machine().topology();
-  switch (l.kind) {
-    case Kind::actuator_force:
-      return effort_unit(t.actuators[static_cast<std::size_t>(l.index)].unit);
-    case Kind::actuator_speed:
-      return t.actuators[static_cast<std::size_t>(l.index)].unit + "/s";
-    case Kind::actuator_power:
-      return "W";
-    case Kind::joint_force:
-      return "N";
-    case Kind::joint_moment:
-      break;
-  }
-  return "N*m";
-}
-
 double SpeedStudy::bound(const SpeedLimit& l) const {
   const mechanics::MotionLimits& limits = a_.scenario().limits;
   const std::vector<double>* lists[] = {&limits.force, &limits.speed, &limits.power, &limits.joint_force, &limits.joint_moment};
@@ -180,8 +127,8 @@ std::vector<double> SpeedStudy::demand(const SpeedLimit& l, double s) const {
 double SpeedStudy::asked_anew(const SpeedLimit& l, int sample, double s) const {
   const mechanics::Machine& machine = a_.machine();
   const scenario::Scenario& scenario = a_.scenario();
-  const Eigen::VectorXd q = scenario.motion.value.row(sample), rate = s * scenario.motion.rate.row(sample),
-                        acceleration = s * s * scenario.motion.acceleration.row(sample);
+  const Eigen::VectorXd q = a_.trajectory().value.row(sample), rate = s * a_.trajectory().rate.row(sample),
+                        acceleration = s * s * a_.trajectory().acceleration.row(sample);
   mechanics::State state;
   evaluate(machine, q.data(), rate.data(), acceleration.data(), state);
   mechanics::Loading loading;
@@ -196,20 +143,13 @@ double SpeedStudy::asked_anew(const SpeedLimit& l, int sample, double s) const {
   return (l.kind == Kind::actuator_force ? force : force * std::abs(state.actuators[i].rate)) / bound(l);
 }
 
-std::vector<document::Evidence> SpeedStudy::evidence() const {
-  if (feasible_.limit < 0 || !(scale() > 0)) return {};
+std::optional<SpeedStudy::Proof> SpeedStudy::proof() const {
+  if (feasible_.limit < 0 || !(scale() > 0)) return std::nullopt;
   const auto asked = [&](std::size_t l, int sample) { return asked_anew(feasible_.limits[l], sample, scale()); };
   double most = 0;
   for (const Own& o : own())
     if (o.sample >= 0) most = std::max(most, asked(o.limit, o.sample) - 1);
-  // Two ways through systems whose condition numbers stay below 1e5 leave ten digits.
-  constexpr double tolerance = 1e-9;
-  return {
-      {"The limit that binds is just met",
-       "the motion run that fast, by the system over all bodies with its rates and accelerations: what is asked there against the limit, "
-       "relative",
-       std::abs(asked(static_cast<std::size_t>(feasible_.limit), feasible_.sample) - 1), tolerance, ""},
-      {"Every limit is kept", "the same for each limit at the sample that is worst for it: largest excess, relative", most, tolerance, ""}};
+  return Proof{std::abs(asked(static_cast<std::size_t>(feasible_.limit), feasible_.sample) - 1), most};
 }
 
-}  // namespace pmreport::section
+}  // namespace pmreport::analysis

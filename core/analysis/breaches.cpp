@@ -1,0 +1,43 @@
+#include <core/analysis/breaches.hpp>
+
+#include <core/scenario/section/columns.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pmreport::analysis {
+
+std::vector<LimitBreach> find_breaches(const Topology& t, const ColumnStore& columns) {
+  std::vector<LimitBreach> out;
+  const auto look = [&](const std::string& column, const std::string& subject, const std::string& unit, const Range& range, bool stroke) {
+    for (const bool above : {false, true}) {
+      LimitBreach b{subject, unit, {}, 0, 0, above ? range.max : range.min, above, stroke};
+      double worst = 0;
+      const std::vector<double>& x = columns[column];
+      // A limit that is met exactly is kept: rounding may not break it.
+      const double slack = 1e-12 * std::max({1.0, std::abs(range.min), std::abs(range.max)});
+      for (int k = 0; k < static_cast<int>(x.size()); ++k) {
+        const double value = x[static_cast<std::size_t>(k)], excess = above ? value - range.max : range.min - value;
+        if (!(excess > slack)) continue;
+        b.samples.push_back(k);
+        if (excess > worst) worst = excess, b.worst = k, b.value = value;
+      }
+      if (!b.samples.empty()) out.push_back(b);
+    }
+  };
+  for (const Actuator& a : t.actuators) look(a.name, a.name + " (" + a.title + ")", a.unit, a.stroke, true);
+  for (const Joint& j : t.joints) {
+    if (j.kind == JointKind::prismatic) continue;
+    for (std::size_t i = 0; i < j.limits.size(); ++i) look(mechanics::joint_column(j, i), "joint " + j.name, "rad", j.limits[i], false);
+  }
+  return out;
+}
+
+std::vector<SampleRun> broken_runs(const std::vector<LimitBreach>& breaches, int samples) {
+  std::vector<bool> bad(static_cast<std::size_t>(samples));
+  for (const LimitBreach& b : breaches)
+    for (const int k : b.samples) bad[static_cast<std::size_t>(k)] = true;
+  return runs(samples, [&](int k) { return bad[static_cast<std::size_t>(k)]; });
+}
+
+}  // namespace pmreport::analysis

@@ -1,0 +1,58 @@
+// The residuals that prove the numbers of a run, one row a sample.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace pmreport::analysis {
+
+// The residuals kept of each sample. Relative ones are dimensionless.
+enum class Measure : std::size_t {
+  gap,                      // joint centres as both bodies carry them [m]
+  misalignment,             // joint axes as both bodies carry them [rad]
+  round_trip,               // coordinates recovered from the actuators
+  velocity,                 // twists by jets in the generic constraints
+  jacobian,                 // G twist against actuator rates by jets
+  forward_velocity,         // twist recovered from the actuator rates
+  source,                   // relations that the source states by its matrices
+  difference_rate,          // jets against differences in extended precision
+  acceleration,             // twist rates by jets in the differentiated constraints
+  jacobian_rate,            // G twist rate + G' twist against actuator accelerations by jets
+  forward_acceleration,     // twist rate recovered from the actuator accelerations
+  difference_acceleration,  // jets against second differences in extended precision
+  statics,                  // actuator forces by G against the system over all bodies
+  equilibrium,              // unbalanced force or moment of any body in that system
+  power,                    // virtual power of actuators, load and weights
+  newton_euler,             // actuator forces by virtual work against the free bodies
+  free_body,                // unbalanced force or moment of any body, reactions and inertia included
+  power_balance,            // power of actuators and load against the rate of kinetic and potential energy
+  judge,                    // reactions limb by limb against the system over all bodies
+  count
+};
+
+// Of one sample; NaN: not computed.
+using Row = std::array<double, static_cast<std::size_t>(Measure::count)>;
+
+// A residual that is not a number must not pass for a small one.
+void set(Row& row, Measure m, double value);
+// Deviation over scale; nothing over nothing agrees.
+inline double relative(double deviation, double scale) { return scale > 0 ? deviation / scale : deviation; }
+
+struct Worst {
+  double value = 0;  // largest over the samples
+  int sample = -1;   // where; -1: nowhere computed
+  int compared = 0;  // number of samples that it was computed of
+};
+
+class Residuals {
+ public:
+  explicit Residuals(std::size_t samples = 0);
+  Row& operator[](std::size_t sample) { return rows_[sample]; }
+  Worst worst(Measure m) const;
+
+ private:
+  std::vector<Row> rows_;
+};
+
+}  // namespace pmreport::analysis

@@ -1,0 +1,33 @@
+#include <core/analysis/study/given_forces.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pmreport::analysis {
+
+namespace {
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+}
+
+double given_against_found(const Analysis& a) {
+  const std::vector<Actuator>& actuators = a.machine().topology().actuators;
+  std::vector<mechanics::Scalar> x(actuators.size());
+  std::vector<double> given(actuators.size());
+  double deviation = nan, scale = 0;
+  for (const Actuator& actuator : actuators)
+    for (const char* share : {"_load_force", "_gravity_force", "_inertia_force"})
+      scale = std::max(scale, a.largest({actuator.name + share}));
+  for (int k = 0; k < a.samples(); ++k) {
+    const auto sample = static_cast<std::size_t>(k);
+    if (!std::isfinite(a.column("total_power")[sample])) continue;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] = {a.column(actuators[i].name)[sample], a.column(actuators[i].name + "_rate")[sample], 0};
+    a.scenario().motion->forces(a.time()[sample], x, given.data());
+    for (std::size_t i = 0; i < x.size(); ++i)
+      deviation = std::fmax(deviation, std::abs(given[i] - a.column(actuators[i].name + "_dynamic_force")[sample]));
+  }
+  return scale > 0 ? deviation / scale : deviation;
+}
+
+}  // namespace pmreport::analysis

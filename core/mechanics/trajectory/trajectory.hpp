@@ -1,0 +1,34 @@
+// A motion that was solved: where the independent coordinates are at every sample, and between the samples.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pmreport::mechanics {
+
+// Coordinates, or actuators, at a time [s], with their rates and accelerations, each dof long, SI. False where there are none.
+using Path = std::function<bool(double t, double* value, double* rate, double* acceleration)>;
+
+struct Trajectory {
+  std::vector<double> time;                   // [s], rising; empty: there is no motion
+  Eigen::MatrixXd value, rate, acceleration;  // one row a sample, one column an independent coordinate, SI; NaN: no pose
+  Path at;  // the same at any time from the first sample to the last; safe in threads. The machine that it was solved for must live
+  std::string ending;  // why it ends before it should: "meets a singular surface at t = 3.314 s: ..."; empty: it does not
+  // Of a motion under given forces.
+  double work = 0;                // of actuators and load, to the last sample with a pose [J]
+  double energy_drift = 0;        // energy that the integration lost or gained [J]
+  double energy_drift_share = 0;  // the same, relative to the largest energy or work on the way
+
+  int samples() const { return static_cast<int>(time.size()); }
+  bool reaches(int sample) const { return value.row(sample).allFinite(); }  // it has a pose there; whether it can be assembled, is another
+};
+
+// Keeps the first samples.
+void cut_off(Trajectory& trajectory, std::size_t samples);
+
+// A path known beforehand, at these times. What is not finite stays so: the caller judges.
+Trajectory sampled(Path path, std::vector<double> times, int dof);
+
+}  // namespace pmreport::mechanics

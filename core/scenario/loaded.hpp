@@ -1,0 +1,37 @@
+// From TOML to what was asked: a scenario validated against its mechanism. All errors of a file are told in one run.
+#pragma once
+
+#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/trajectory/trajectory.hpp>
+#include <core/scenario/diagnostic.hpp>
+#include <core/scenario/scenario.hpp>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pmreport::scenario {
+
+// Finds a mechanism by its name. `names` are all there are, for "did you mean".
+struct MechanismSource {
+  std::function<const pm_mechanism*(const std::string&)> find;
+  std::vector<std::string> names;
+};
+
+// A validated scenario, the motion that it asks for, and the machine that it describes. Throws ScenarioError (bad file, exit 2), or
+// mechanics::MechanismError when the plugin breaks (exit 3); parameters that the mechanism refuses are a ScenarioError at the line of
+// [mechanism]. The motion is solved on the way, for the times that sections and checks may name are those that it reaches. A trajectory
+// asks the machine for its poses: it must not outlive it.
+struct Loaded {
+  Scenario scenario;
+  mechanics::Trajectory trajectory;  // of no samples when the scenario has no motion
+  std::unique_ptr<mechanics::Machine> machine;
+};
+Loaded load(const std::filesystem::path& file, const MechanismSource& source);
+Loaded load_text(const std::string& text, const std::filesystem::path& file, const MechanismSource& source);
+
+// Largest number of samples; more is refused with the estimate of time and memory.
+inline constexpr std::size_t max_samples = 1'000'000;
+
+}  // namespace pmreport::scenario
