@@ -55,7 +55,7 @@ TEST_CASE("accelerations are the second derivatives of the motion") {
 TEST_CASE("a table that turns while it slides has the velocity of its slide and the angular velocity of its turn") {
   const auto r = of_stage("", "x = \"100 mm * t / 1 s\"\nphi = \"15 deg * (t / 1 s)^2\"\n", asking_for({"velocity", "acceleration"}));
   constexpr double deg = std::numbers::pi / 180;
-  const auto &vx = column_of(r, "velocity", "vx [m/s]"), &wz = column_of(r, "velocity", "wz [rad/s]");
+  const auto &vx = column_of(r, "velocity", "velocity_x [m/s]"), &wz = column_of(r, "velocity", "angular_velocity_z [rad/s]");
   for (std::size_t k = 0; k < 21; ++k) {
     CHECK(vx[k] == Approx(0.1));
     CHECK(wz[k] == Approx(30 * deg * 0.1 * double(k)).margin(1e-12));
