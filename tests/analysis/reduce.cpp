@@ -9,15 +9,15 @@ using namespace pmreport;
 
 namespace {
 
-const double nan = std::nan("");
-const std::vector<double> time{0, 1, 3}, column{-4, nan, 3};
+const double none = std::nan("");
+const std::vector<double> instants{0, 1, 3}, column{-4, none, 3};
 
 analysis::Reduced reduced(const std::string& how, bool absolute = false, double at = 0) {
   scenario::Measured m;
   m.reduction = how;
   m.absolute = absolute;
   m.time = at;
-  return analysis::reduce(time, column, m);
+  return analysis::reduce(instants, column, m);
 }
 
 }  // namespace
@@ -36,8 +36,8 @@ TEST_CASE("the value at a time lies on the line between its neighbours, and is n
   scenario::Measured m;
   m.reduction = "at";
   m.time = 2.5;
-  CHECK(analysis::reduce(time, {0, 2, 6}, m).value == Approx(5));
+  CHECK(analysis::reduce(instants, {0, 2, 6}, m).value == Approx(5));
   CHECK(std::isnan(reduced("at", false, 0.5).value));
   CHECK(reduced("at", false, 3).value == 3);
-  CHECK(std::isnan(analysis::reduce(time, {nan, nan, nan}, {}).value));
+  CHECK(std::isnan(analysis::reduce(instants, {none, none, none}, {}).value));
 }

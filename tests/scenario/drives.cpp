@@ -1,6 +1,6 @@
 // [drive]. The stage drives its slide q by a screw and its turn psi by a gear; machines of one sort are made for the purpose.
 #include <catch2/catch.hpp>
-#include <core/scenario/parts.hpp>
+#include <core/scenario/sizing_part.hpp>
 #include <numbers>
 #include <tests/scenario/trial.hpp>
 

@@ -1,7 +1,7 @@
 // [limits]. The stage has a linear actuator q and a rotary one psi, a slide P and a bearing R; the slider-crank one linear actuator and
 // balls B and C.
 #include <catch2/catch.hpp>
-#include <core/scenario/parts.hpp>
+#include <core/scenario/sizing_part.hpp>
 #include <tests/mechanics/slider_crank.hpp>
 #include <tests/scenario/trial.hpp>
 

@@ -115,15 +115,18 @@ TEST_CASE("a pendulum at rest where it hangs stays there, and one with work done
 }
 
 TEST_CASE("a stroke that ends a motion from forces leaves the samples beyond without a pose") {
-  const auto machine = machine_of(contract::mechanism<test::Pendulum>);
+  const pm_mechanism& table = contract::mechanism<test::Pendulum>;
+  ParameterValues values = default_values(describe(table));
+  values[1] = {-5};  // lower end of the stroke
+  const Machine machine(table, values);
   ForwardProblem p;
-  p.actuator_forces = [](double, const std::vector<Scalar>&, double* forces) { *forces = 100; };
+  p.actuator_forces = [](double, const std::vector<Scalar>&, double* forces) { *forces = -100; };
   p.start = Eigen::VectorXd::Zero(1);
   p.start_rate = Eigen::VectorXd::Zero(1);
   p.times = even(1, 101);
-  // Without gravity the angle is 100 t^2 / (2 I): the stroke's end, 10 rad, is met at sqrt(0.2 I).
-  const Forced f = forced(*machine, p);
-  const double end = std::sqrt(0.2 * test::Pendulum::about_hinge);
+  // Without gravity the angle is -100 t^2 / (2 I): the stroke's end is met at sqrt(0.1 I).
+  const Forced f = forced(machine, p);
+  const double end = std::sqrt(0.1 * test::Pendulum::about_hinge);
   CHECK(f.outcome == Outcome::at_limit);
   CHECK(f.reached == static_cast<std::size_t>(end / 0.01) + 1);
   CHECK(f.trajectory.reaches(static_cast<int>(f.reached) - 1));

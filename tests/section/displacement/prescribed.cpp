@@ -45,9 +45,9 @@ TEST_CASE("driven actuators are proved by inverse displacement: values, rates an
 
 TEST_CASE("the proof of driven actuators can fail") {
   Run r(near);
-  const auto follow = r.loaded.scenario.motion.actuators;
+  const auto follow = r.loaded.scenario.motion->prescribed;
   // what is prescribed is now a thousandth faster than what was followed
-  r.loaded.scenario.motion.actuators = [follow](double t, double* value, double* rate, double* acceleration) {
+  r.loaded.scenario.motion->prescribed = [follow](double t, double* value, double* rate, double* acceleration) {
     const bool there = follow(t, value, rate, acceleration);
     *rate *= 1.001;
     return there;

@@ -2,8 +2,8 @@
 // be worked out by hand.
 #include <catch2/catch.hpp>
 
-#include <core/analysis/motion_work.hpp>
-#include <core/analysis/smooth_rate.hpp>
+#include <core/analysis/samples/smooth_rate.hpp>
+#include <core/analysis/study/motion_work.hpp>
 #include <reports/section/dynamics/dynamics_words.hpp>
 #include <reports/section/section.hpp>
 #include <tests/scenario/only.hpp>
