@@ -1,6 +1,6 @@
 // The program: what the user typed goes to its command, and what a command throws becomes a sentence and the exit status.
 #include <core/mechanics/model/machine.hpp>
-#include <core/scenario/scenario.hpp>
+#include <core/scenario/diagnostic.hpp>
 #include <reports/document/write.hpp>
 #include <reports/program/commands.hpp>
 #include <reports/program/scaffold.hpp>

@@ -9,7 +9,7 @@
 #include <core/analysis/progress.hpp>
 #include <core/analysis/residuals.hpp>
 #include <core/mechanics/model/outcome.hpp>
-#include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/reactions/reactions.hpp>
 #include <core/scenario/scenario.hpp>
 #include <core/scenario/section/columns.hpp>

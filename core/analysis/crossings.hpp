@@ -1,7 +1,7 @@
 // Where a motion meets a singular surface: between samples, by bisection in time.
 #pragma once
 
-#include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/trajectory/trajectory.hpp>
 
 #include <Eigen/Core>

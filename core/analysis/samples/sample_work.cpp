@@ -14,6 +14,7 @@
 
 namespace pmreport::analysis {
 
+using mechanics::Outcome;
 using mechanics::Vector6d;
 
 namespace {
@@ -119,7 +120,7 @@ double SampleWork::round_trip(int sample, int previous, double condition) {
   mechanics::SmallVector l(machine_.dof());
   for (int i = 0; i < q.size(); ++i) l(i) = state_.actuators[static_cast<std::size_t>(i)].value;
   const mechanics::ForwardSolution s = forward_.solve(l, guess);
-  if (s.outcome != mechanics::Outcome::good) return std::numeric_limits<double>::infinity();
+  if (s.outcome != Outcome::good) return std::numeric_limits<double>::infinity();
   double worst = 0;
   for (int i = 0; i < q.size(); ++i) worst = std::max(worst, std::abs(s.coordinates(i) - q(i)) / unit(i));
   return worst;

@@ -3,7 +3,7 @@
 
 #include <core/analysis/asked.hpp>
 #include <core/analysis/residuals.hpp>
-#include <core/analysis/samples/condition.hpp>
+#include <core/mechanics/model/outcome.hpp>
 #include <core/mechanics/displacement/displacement.hpp>
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/closure.hpp>
@@ -27,7 +27,7 @@ class SampleWork {
   using Put = std::function<void(const std::string& column, double value)>;
 
   // Fills `row` and hands every output number to `put`. `previous`: a neighbour of the sample, towards which forward displacement starts.
-  Outcome run(int sample, int previous, Row& row, const Put& put);
+  mechanics::Outcome run(int sample, int previous, Row& row, const Put& put);
   const std::string& why() const { return state_.why; }  // when the sample has no pose
 
  private:

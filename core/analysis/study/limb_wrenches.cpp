@@ -1,3 +1,4 @@
+#include <core/mechanics/statics/statics.hpp>
 #include <core/analysis/study/limb_wrenches.hpp>
 
 #include <core/mechanics/mobility/wrench_system.hpp>
