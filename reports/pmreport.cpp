@@ -7,7 +7,8 @@
 #include <reports/program/describe.hpp>
 #include <reports/program/scaffold.hpp>
 #include <reports/program/worker.hpp>
-#include <reports/section/section.hpp>
+#include <reports/section/kinds.hpp>
+#include <reports/section/make_report.hpp>
 
 #include <fmt/core.h>
 #include <tbb/global_control.h>
@@ -99,7 +100,7 @@ int run(const Options& options) {
   listen_to_signals();
   const host::Catalog catalog(host::search_folders(options.plugin_path));
   tell_refused(catalog);
-  const scenario::Loaded loaded = scenario::load(options.scenario, source_of(catalog));
+  const scenario::Loaded loaded = scenario::load(options.scenario, source_of(catalog), section::kinds());
   if (options.check_only) {
     if (!options.quiet)
       fmt::print("{}: valid, {} samples, {} sections\n", options.scenario, loaded.scenario.motion.time.size(),

@@ -32,15 +32,15 @@ Analysis::Analysis(const scenario::Scenario& scenario, const mechanics::Machine&
 
 void Analysis::run(const Progress& progress) {
   const std::size_t n = time().size();
-  for (const char* section : {"displacement", "velocity", "acceleration", "statics"})
-    for (const mechanics::Column& c : mechanics::columns_of(section, machine_.topology())) columns_[c.name].assign(n, nan);
+  for (ColumnList* list : {displacement_columns, velocity_columns, acceleration_columns, statics_columns})
+    for (const Column& c : list(machine_.topology())) columns_[c.name].assign(n, nan);
   conditions_.assign(n, Condition::good);
   Row nothing;
   nothing.fill(nan);
   measures_.assign(n, nothing);
 
   const mechanics::Closure closure(machine_);
-  const bool statics = scenario_.asks_for("statics");
+  const bool statics = scenario_.needs().statics;
   tbb::enumerable_thread_specific<SampleWork> workers([&] { return SampleWork(scenario_, machine_, closure, length_, statics); });
   std::mutex sentences;
   // Blocks, so that a request to stop is heard in time; within a block every sample stands alone and the order does not matter.
@@ -86,13 +86,13 @@ void Analysis::find_breaches() {
   for (const Actuator& a : t.actuators) look(a.name, a.name + " (" + a.title + ")", a.unit, a.stroke, true);
   for (const Joint& j : t.joints) {
     if (j.kind == JointKind::prismatic) continue;
-    for (std::size_t i = 0; i < j.limits.size(); ++i) look(mechanics::joint_column(j, i), "joint " + j.name, "rad", j.limits[i], false);
+    for (std::size_t i = 0; i < j.limits.size(); ++i) look(joint_column(j, i), "joint " + j.name, "rad", j.limits[i], false);
   }
 }
 
-std::vector<mechanics::Column> Analysis::columns_of(std::string_view section) const {
-  std::vector<mechanics::Column> out = mechanics::columns_of(section, machine_.topology());
-  std::erase_if(out, [&](const mechanics::Column& c) { return !has(c.name); });
+std::vector<Column> Analysis::columns_of(ColumnList* list) const {
+  std::vector<Column> out = list(machine_.topology());
+  std::erase_if(out, [&](const Column& c) { return !has(c.name); });
   return out;
 }
 

@@ -2,17 +2,16 @@
 // that prove the numbers. Sections draw on it; they compute no mechanics of their own.
 #pragma once
 
+#include <core/analysis/columns.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/reactions/reactions.hpp>
 #include <core/scenario/scenario.hpp>
-#include <core/scenario/section/columns.hpp>
 
 #include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace pmreport::analysis {
@@ -90,9 +89,9 @@ class Analysis {
   const std::vector<double>& time() const { return scenario_.motion.time; }
   int samples() const { return static_cast<int>(time().size()); }
 
-  // The columns of a section that this run has, in the order of mechanics::columns_of: forces in motion when something asks for them, motor
-  // columns where a motor is given.
-  std::vector<mechanics::Column> columns_of(std::string_view section) const;
+  // Those columns of a list that this run has, in its order: forces in motion when something asks for them, motor columns where a motor is
+  // given.
+  std::vector<Column> columns_of(ColumnList* list) const;
   bool has(const std::string& column) const { return columns_.contains(column); }
   // NaN where a sample has no value.
   const std::vector<double>& column(const std::string& name) const { return columns_.at(name); }

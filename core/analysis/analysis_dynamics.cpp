@@ -32,29 +32,27 @@ std::vector<int> spread(const Analysis& a, int wanted) {
 
 }  // namespace
 
-bool Analysis::asks_for_dynamics() const {
-  return scenario_.limits.any() || scenario_.asks_for("dynamics") || scenario_.asks_for("drives") || scenario_.asks_for("reactions") ||
-         scenario_.asks_for("speed");
-}
+bool Analysis::asks_for_dynamics() const { return scenario_.limits.any() || scenario_.needs().dynamics; }
 
 void Analysis::run_dynamics(const Progress& progress) {
   const Topology& t = machine_.topology();
   const std::size_t n = time().size();
-  const auto allocate = [&](const char* section, auto&& wanted) {
-    for (const mechanics::Column& c : mechanics::columns_of(section, t))
+  const scenario::Needs needs = scenario_.needs();
+  const auto allocate = [&](ColumnList* list, auto&& wanted) {
+    for (const Column& c : list(t))
       if (wanted(c)) columns_[c.name].assign(n, nan);
   };
-  allocate("dynamics", [](const mechanics::Column&) { return true; });
-  if (scenario_.asks_for("drives")) {
-    const auto has_motor = [&](const mechanics::Column& c) {
+  allocate(dynamics_columns, [](const Column&) { return true; });
+  if (needs.drives) {
+    const auto has_motor = [&](const Column& c) {
       for (std::size_t i = 0; i < scenario_.drives.size(); ++i)
         if (c.name == t.actuators[i].name + "_" + c.group) return scenario_.drives[i].ratio > 0;
       return false;
     };
-    allocate("drives", [&](const mechanics::Column& c) { return !c.group.starts_with("motor_") || has_motor(c); });
+    allocate(drive_columns, [&](const Column& c) { return !c.group.starts_with("motor_") || has_motor(c); });
   }
-  if (scenario_.asks_for("reactions") || bounds(scenario_.limits.joint_force) || bounds(scenario_.limits.joint_moment))
-    allocate("reactions", [](const mechanics::Column&) { return true; });
+  if (needs.reactions || bounds(scenario_.limits.joint_force) || bounds(scenario_.limits.joint_moment))
+    allocate(reaction_columns, [](const Column&) { return true; });
   const ForceColumns columns(t, [&](const std::string& name) {
     const auto found = columns_.find(name);
     return found != columns_.end() ? found->second.data() : nullptr;

@@ -74,7 +74,7 @@ void SampleWork::kinematics(const Put& put, const mechanics::ClosedForm& c) {
   for (std::size_t i = 0; i < t.joints.size(); ++i) {
     if (t.joints[i].kind == JointKind::prismatic) continue;
     const std::vector<double> motion = closure_.motion(state_.bodies, static_cast<int>(i));
-    for (std::size_t n = 0; n < motion.size(); ++n) put(mechanics::joint_column(t.joints[i], n), motion[n]);
+    for (std::size_t n = 0; n < motion.size(); ++n) put(joint_column(t.joints[i], n), motion[n]);
   }
 }
 

@@ -129,51 +129,36 @@ Load sampled(LoadPart part, const std::vector<double>& time, Diagnostics& diagno
 
 // [drive], and [limits].
 std::vector<mechanics::DriveTrain> read_drives(const Entry* entry, const MechanismPart& mechanism, const Reader& reader);
+// What to write so that an actuator has a motor: "add to [drive], or to [drive.q], lead = "5 mm"".
+std::string how_to_give_motor(const Actuator& a);
 mechanics::MotionLimits read_limits(const Entry* entry, const MechanismPart& mechanism, const Reader& reader);
 // A quantity from `least` to `most` `unit`, SI; told when it is not.
 std::optional<double> read_within(const Entry& entry, double least, double most, const std::string& unit, const std::string& hint,
                                   const Reader& reader);
 
-// What sections build on besides the mechanism and its motion: [drive] and [limits], nullptr where they are not there, and what the first
-// says.
-struct Sizing {
-  const Entry *drive, *limits;
-  const std::vector<mechanics::DriveTrain>& drives;
+// A table that kinds of sections may need, and where it stands; nullptr: it does not.
+struct GivenTable {
+  std::string name;
+  const Entry* entry;
 };
 
-// A section whose kind cannot be read keeps an empty one.
-std::vector<SectionRequest> read_sections(const Entry* entry, const std::optional<Interval>& interval, const MechanismPart& mechanism,
-                                          const Sizing& sizing, const Reader& reader);
-
-// The options of a section, by kind.
-void read_snapshots(TableReader& table, const std::optional<Interval>& interval, SectionRequest& request);
-void read_singularity(TableReader& table, const MechanismPart& mechanism, SectionRequest& request);
-void read_assembly(TableReader& table, const std::optional<Interval>& interval, const MechanismPart& mechanism, SectionRequest& request);
-void read_dynamics(TableReader& table, const std::optional<Interval>& interval, SectionRequest& request);
-void read_reactions(TableReader& table, const MechanismPart& mechanism, SectionRequest& request);
-// `measurable`: what rows may name.
-struct Measurable;
-std::vector<ComparisonRow> read_comparison_rows(const Entry& rows, const Measurable& measurable, const Reader& reader);
-
-// A time that must lie within the motion; told when it does not.
-std::optional<double> read_time(const Value& value, const std::optional<Interval>& interval, const Reader& reader);
-// The items of a list of one to `most`; what is wrong is reported.
-std::vector<Value> items_of(const Entry& entry, std::size_t most, const Reader& reader);
+// A section whose kind cannot be read keeps none. `drives`: what [drive] says.
+std::vector<Section> read_sections(const Entry* entry, Kinds kinds, const std::optional<Interval>& interval, const MechanismPart& mechanism,
+                                   std::span<const GivenTable> tables, const std::vector<mechanics::DriveTrain>& drives,
+                                   const Reader& reader);
 
 // What one number of the report may be made of.
 struct Measurable {
-  const std::vector<SectionRequest>& sections;
+  const std::vector<Section>& sections;
   const std::optional<Topology>& topology;
   const std::optional<Interval>& interval;
   const std::vector<mechanics::DriveTrain>& drives;
+  Kinds kinds;  // all that a section could be of
 };
 // "max(abs(actuator_force))", "at(l1, 2.5 s)", "mobility.redundant". Nothing, told, when there is no such thing in this report; a thing
 // without columns and quantity when the mechanism is unknown, so that it cannot be judged.
 std::optional<Measured> read_measured(const Value& value, const Measurable& measurable, const Reader& reader);
 bool judged(const Measured& m);
-// Takes from a group of motor columns those of actuators whose [drive] has no motor: they would hold no number. Throws ExpressionError, at
-// `offset` of the text, when that leaves nothing, also of a quantity.
-void keep_motors(const Measurable& measurable, std::size_t offset, Measured& measured);
 
 std::vector<Check> read_checks(const Entry* entry, const Measurable& measurable, const Reader& reader);
 

@@ -26,8 +26,15 @@ std::string text_or_nothing(const Entry* entry, const Reader& reader) {
 
 }  // namespace
 
-bool Scenario::asks_for(std::string_view kind) const {
-  return std::any_of(sections.begin(), sections.end(), [&](const SectionRequest& r) { return r.kind == kind; });
+bool Scenario::asks_for(const SectionKind& kind) const {
+  return std::any_of(sections.begin(), sections.end(), [&](const Section& s) { return s.kind == &kind; });
+}
+
+Needs Scenario::needs() const {
+  Needs out;
+  out.motion = false;
+  for (const Section& s : sections) out |= s.kind->needs;
+  return out;
 }
 
 std::vector<const Value*> tables_of(const Entry* entry, const std::string& name, const Reader& reader) {
@@ -55,7 +62,7 @@ const Value* table_of(const Entry* entry, const std::string& name, const Reader&
   return nullptr;
 }
 
-Loaded load_text(const std::string& text, const std::filesystem::path& file, const MechanismSource& source) {
+Loaded load_text(const std::string& text, const std::filesystem::path& file, const MechanismSource& source, Kinds kinds) {
   const std::string shown = printable(file.string());
   if (text.size() > largest_file)
     refuse_file(shown, fmt::format("expected at most {} MiB, seen {} bytes", largest_file >> 20, text.size()));
@@ -86,8 +93,9 @@ Loaded load_text(const std::string& text, const std::filesystem::path& file, con
   const Entry *drive = table.find("drive"), *limits = table.find("limits");
   s.drives = read_drives(drive, mechanism, reader);
   s.limits = read_limits(limits, mechanism, reader);
-  s.sections = read_sections(table.find("section"), motion.interval, mechanism, {drive, limits, s.drives}, reader);
-  s.checks = read_checks(table.find("check"), {s.sections, mechanism.topology, motion.interval, s.drives}, reader);
+  const GivenTable tables[] = {{"drive", drive}, {"limits", limits}};
+  s.sections = read_sections(table.find("section"), kinds, motion.interval, mechanism, tables, s.drives, reader);
+  s.checks = read_checks(table.find("check"), {s.sections, mechanism.topology, motion.interval, s.drives, kinds}, reader);
   table.finish();
   diagnostics.throw_if_any();
 
@@ -99,7 +107,7 @@ Loaded load_text(const std::string& text, const std::filesystem::path& file, con
   return out;
 }
 
-Loaded load(const std::filesystem::path& file, const MechanismSource& source) {
+Loaded load(const std::filesystem::path& file, const MechanismSource& source, Kinds kinds) {
   const std::string shown = printable(file.string());
   std::error_code error;
   if (!std::filesystem::exists(file, error)) refuse_file(shown, "there is no such file");
@@ -108,7 +116,7 @@ Loaded load(const std::filesystem::path& file, const MechanismSource& source) {
     refuse_file(shown, fmt::format("expected at most {} MiB, seen {} bytes", largest_file >> 20, size));
   const auto text = read_file(file, largest_file);
   if (!text) refuse_file(shown, "the file cannot be read", "look at its permissions");
-  return load_text(*text, file, source);
+  return load_text(*text, file, source, kinds);
 }
 
 }  // namespace pmreport::scenario

@@ -6,6 +6,7 @@
 #include <core/mechanics/dynamics/drive.hpp>
 #include <core/mechanics/model/machine.hpp>
 #include <core/mechanics/model/state.hpp>
+#include <core/scenario/section/kind.hpp>
 #include <core/text/units.hpp>
 #include <filesystem>
 #include <functional>
@@ -66,69 +67,16 @@ struct Load {                                               // wrench on the pla
   std::string description;
 };
 
-struct View {
-  std::string name;           // "isometric", "front", "side", "top", or "azimuth 30°, elevation 20°"
-  double azimuth, elevation;  // of the camera as seen from the platform [rad]; front looks along +Y
-};
-
 // One number of the report: a column, or a group of columns, reduced; or a quantity that a section names.
 struct Measured {
   std::string that;       // as written: "max(abs(actuator_force))", "mobility.redundant"
-  std::string quantity;   // "mobility.redundant" (see quantities.hpp); empty: reduced columns
+  std::string quantity;   // "mobility.redundant"; empty: reduced columns
   std::string reduction;  // "min", "max", "rms", "at"
   bool absolute = false;
-  std::vector<std::string> columns;  // resolved column names: l1_force, ... (see columns.hpp)
+  std::vector<std::string> columns;  // resolved column names: l1_force, ...
   double time = 0;                   // for "at": at(l1, 2.5 s)
   std::string unit;                  // SI
   bool count = false;                // a whole number
-};
-
-// A map of det G over two coordinates.
-struct MapRequest {
-  int coordinate[2] = {0, 1};  // indices
-  double from[2] = {0, 0}, to[2] = {0, 0};
-  Eigen::VectorXd at;  // the other coordinates; home unless given
-  int points = 61;     // along each
-};
-
-// One line of a comparison with published values.
-struct ComparisonRow {
-  enum class Expected { nothing, reproduces, differs } expected = Expected::nothing;  // a gate, unless nothing
-  std::string what;
-  Measured here;
-  double published = 0, tolerance = 0;  // SI
-  std::string source, note;             // may be empty
-  int line = 0;
-};
-
-// The options of a section, by kind. A section has its kind's options only; the rest stays at its default.
-struct SectionRequest {
-  std::string kind;   // "mechanism", "snapshots", "displacement", ... (see section.cpp)
-  std::string title;  // empty: the kind's own
-  int line = 0;
-  // snapshots
-  std::vector<double> times;        // [s]
-  std::vector<View> views;          // default: isometric
-  int width = 1600, height = 1200;  // [px]
-  bool transparent = false;         // else white ground
-  bool path = true, labels = true, frames = true, load = true;
-  // mobility
-  int random_poses = 100;
-  // singularity
-  std::optional<double> length;        // [m] makes moments comparable with forces; default: the characteristic length
-  std::vector<Eigen::VectorXd> poses;  // coordinates, besides those of the motion
-  std::optional<MapRequest> map;
-  // assembly: actuator values at a time of the motion, unless given
-  double time = 0;            // [s]
-  Eigen::VectorXd actuators;  // SI; empty: those at `time`
-  bool working_modes = true;  // with every word of the choices of working mode, else as the scenario sets them
-  // dynamics: mass matrix, Coriolis and gravity terms at these times
-  std::vector<double> equations;  // [s]
-  // reactions: the joints whose reactions are drawn; empty: those with the largest
-  std::vector<int> joints;
-  // comparison
-  std::string source;  // of all rows; may be empty
-  std::vector<ComparisonRow> rows;
 };
 
 // Gate over a number of the report.
@@ -148,9 +96,10 @@ struct Scenario {
   Load load;
   std::vector<mechanics::DriveTrain> drives;  // one an actuator; empty: the scenario has no [drive]
   mechanics::MotionLimits limits;             // from [limits]; all lists as long as the topology's
-  std::vector<SectionRequest> sections;
+  std::vector<Section> sections;
   std::vector<Check> checks;
-  bool asks_for(std::string_view kind) const;  // a section of that kind
+  bool asks_for(const SectionKind& kind) const;  // a section of that kind
+  Needs needs() const;                           // of all sections together
 };
 
 // Finds a mechanism by its name. `names` are all there are, for "did you mean".
@@ -166,11 +115,9 @@ struct Loaded {
   Scenario scenario;
   std::unique_ptr<mechanics::Machine> machine;
 };
-Loaded load(const std::filesystem::path& file, const MechanismSource& source);
-Loaded load_text(const std::string& text, const std::filesystem::path& file, const MechanismSource& source);
-
-// Largest number of poses of a section singularity.
-inline constexpr std::size_t most_poses = 100;
+// `kinds`: of the sections that it may ask for.
+Loaded load(const std::filesystem::path& file, const MechanismSource& source, Kinds kinds);
+Loaded load_text(const std::string& text, const std::filesystem::path& file, const MechanismSource& source, Kinds kinds);
 
 // Largest number of samples; more is refused with the estimate of time and memory.
 inline constexpr std::size_t max_samples = 1'000'000;

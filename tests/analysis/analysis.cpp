@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 
 #include <reports/section/common/words.hpp>
-#include <reports/section/section.hpp>
 #include <tests/scenario/trial.hpp>
 
 #include <cmath>
@@ -14,7 +13,7 @@ namespace {
 
 struct Run {
   explicit Run(const std::string& text)
-      : loaded(scenario::load_text(text, "a.toml", stage::source())), analysis(loaded.scenario, *loaded.machine, {}) {}
+      : loaded(scenario::load_text(text, "a.toml", stage::source(), section::kinds())), analysis(loaded.scenario, *loaded.machine, {}) {}
   scenario::Loaded loaded;
   section::Analysis analysis;
 };

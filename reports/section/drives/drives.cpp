@@ -3,7 +3,6 @@
 #include <core/analysis/smooth_rate.hpp>
 #include <reports/section/common/force_plots.hpp>
 #include <reports/section/drives/drives.hpp>
-#include <reports/section/section.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,8 @@
-// The parts of the section `drives`.
+// Section `drives`, and its parts.
 #pragma once
 
 #include <core/mechanics/dynamics/drive.hpp>
-#include <reports/document/report.hpp>
-#include <reports/section/common/analysis.hpp>
+#include <reports/section/kind.hpp>
 
 #include <numbers>
 #include <string>
@@ -19,6 +18,8 @@ bool has_motor(const Analysis& a, std::size_t actuator);
 bool any_motor(const Analysis& a);
 // Share of the samples at which the actuator is driven back: force and rate oppose each other.
 double driven_back(const Analysis& a, const std::string& actuator);
+
+Result drives_section(const Analysis& a);
 
 std::vector<document::Paragraph> drive_words(const Analysis& a);
 std::vector<figure::Figure> drive_figures(const Analysis& a);

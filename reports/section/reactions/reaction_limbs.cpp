@@ -25,8 +25,6 @@ using mechanics::Vector6d;
 
 namespace {
 
-std::string column(int limb, int c) { return fmt::format("limb{}_{}_{}", limb, c < 3 ? "force" : "moment", "xyz"[c % 3]); }
-
 std::string limbs_words(const std::vector<int>& limbs) {
   std::vector<std::string> names;
   for (const int n : limbs) names.push_back(std::to_string(n));
@@ -51,7 +49,7 @@ Vector6d beside_limbs(const Analysis& a, const mechanics::State& state, int samp
     const Joint& joint = t.joints[j];
     if (!is_beside_limbs(t, joint)) continue;
     Vector6d w = Vector6d::Zero();
-    for (int c = 0; c < (joint.kind == JointKind::spherical ? 3 : 6); ++c) w(c) = a.column(mechanics::reaction_column(joint, c, true))[k];
+    for (int c = 0; c < (joint.kind == JointKind::spherical ? 3 : 6); ++c) w(c) = a.column(analysis::reaction_column(joint, c, true))[k];
     for (const Actuator& x : t.actuators)
       if (x.joint == static_cast<int>(j))
         w.segment<3>(x.unit == "m" ? 0 : 3) += a.column(x.name + "_dynamic_force")[k] * state.joints[j].axis[0];
@@ -92,7 +90,7 @@ LimbWrenches::LimbWrenches(const Analysis& a, const std::vector<int>& checked) :
 
 Vector6d LimbWrenches::bodies(int limb, int sample) const {
   Vector6d w;
-  for (int c = 0; c < 6; ++c) w(c) = a_.column(column(limb, c))[static_cast<std::size_t>(sample)];
+  for (int c = 0; c < 6; ++c) w(c) = a_.column(analysis::limb_column(limb, c))[static_cast<std::size_t>(sample)];
   return w;
 }
 
@@ -215,7 +213,7 @@ figure::Figure LimbWrenches::figure() const {
     for (const int c : {axis, axis + 3}) {
       std::vector<Curve> curves;
       for (const int limb : limbs_) {
-        curves.push_back({column(limb, c), fmt::format("limb {}{}", limb, doubtful(limb, c) ? least_norm_mark : "")});
+        curves.push_back({analysis::limb_column(limb, c), fmt::format("limb {}{}", limb, doubtful(limb, c) ? least_norm_mark : "")});
         any_doubtful |= doubtful(limb, c);
       }
       f.panels.push_back(panel(a_, fmt::format("{} along {}", c < 3 ? "force" : "moment", "XYZ"[axis]), c < 3 ? "force" : "moment",

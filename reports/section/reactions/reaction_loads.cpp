@@ -48,7 +48,7 @@ JointLoad::Size size_of(const Analysis& a, const Joint& joint, bool moment) {
 
 // Component c in joint axes; zero where the joint transmits none.
 double component(const Analysis& a, const Joint& joint, int c, int sample) {
-  return mechanics::transmits(joint.kind, c) ? a.column(mechanics::reaction_column(joint, c, false))[static_cast<std::size_t>(sample)] : 0;
+  return analysis::transmits(joint.kind, c) ? a.column(analysis::reaction_column(joint, c, false))[static_cast<std::size_t>(sample)] : 0;
 }
 
 double angle_between(const Vector3d& u, const Vector3d& v) { return 2 * std::asin(std::min(1.0, (u - v).norm() / 2)); }
@@ -134,7 +134,7 @@ std::vector<JointLoad> joint_loads(const Analysis& a) {
     if (load.force.peak <= nothing * force) load.force = {};
     if (load.moment.peak <= nothing * moment) load.moment = {};
     for (int c = 0; c < 6; ++c)
-      if (mechanics::transmits(t.joints[j].kind, c))
+      if (analysis::transmits(t.joints[j].kind, c))
         load.doubtful = static_cast<Indeterminate>(load.doubtful | (a.indeterminate()[j] & 1 << c));
     if (load.force.sample >= 0) find_cone(a, t.joints[j], load);
   }
@@ -218,7 +218,7 @@ Table component_table(const Analysis& a, const std::vector<JointLoad>& loads) {
     for (int c = 0; c < 6; ++c) {
       const DisplayUnit& unit = c < 3 ? force : moment;
       const double x = rounded(component(a, joint, c, sample), c < 3 ? loads[j].force.peak : loads[j].moment.peak);
-      row.push_back(mechanics::transmits(joint.kind, c) ? number(x, unit, (loads[j].doubtful >> c & 1) != 0) : "·");
+      row.push_back(analysis::transmits(joint.kind, c) ? number(x, unit, (loads[j].doubtful >> c & 1) != 0) : "·");
     }
     table.rows.push_back(std::move(row));
   };

@@ -1,13 +1,31 @@
-// The parts of section `singularity`.
+// Section `singularity`, and its parts.
 #pragma once
 
 #include <core/mechanics/singularity/singularity.hpp>
-#include <reports/document/report.hpp>
 #include <reports/section/common/screw_words.hpp>
+#include <reports/section/common/stage.hpp>
+#include <reports/section/kind.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace pmreport::section {
+
+// A map of det G over two coordinates.
+struct MapOptions {
+  int coordinate[2] = {0, 1};  // indices
+  double from[2] = {0, 0}, to[2] = {0, 0};
+  Eigen::VectorXd at;  // the other coordinates; home unless given
+  int points = 61;     // along each
+};
+
+struct SingularityOptions : scenario::Options {
+  std::optional<double> length;        // [m] makes moments comparable with forces; default: the characteristic length
+  std::vector<Eigen::VectorXd> poses;  // coordinates, besides those of the motion
+  std::optional<MapOptions> map;
+};
+
+Result singularity_section(const Analysis& a, const SingularityOptions& r, const Stage& stage, const Progress& progress);
 
 // det G^, smallest singular value and condition of G^ at every sample; NaN without a pose.
 struct AlongMotion {
@@ -39,6 +57,6 @@ struct SingularityMap {
   document::Data data;
   int reachable = 0, all = 0, negative = 0;
 };
-SingularityMap singularity_map(const Analysis& a, const scenario::MapRequest& request, double length);
+SingularityMap singularity_map(const Analysis& a, const MapOptions& request, double length);
 
 }  // namespace pmreport::section

@@ -18,7 +18,7 @@ struct Grid {
 };
 
 // A row of the map is placed at once, so that the geometry runs on several poses at a time.
-Grid evaluate_grid(const mechanics::Machine& m, const scenario::MapRequest& r, double length) {
+Grid evaluate_grid(const mechanics::Machine& m, const MapOptions& r, double length) {
   const auto n = static_cast<std::size_t>(r.points);
   Grid grid{std::vector<double>(n * n, nan), std::vector<double>(n * n, nan)};
   tbb::parallel_for(std::size_t{0}, n, [&](std::size_t row) {
@@ -44,7 +44,7 @@ Grid evaluate_grid(const mechanics::Machine& m, const scenario::MapRequest& r, d
 }
 
 // The motion over the map; dashed where it is only projected, for its other coordinates are not those of the map.
-std::optional<figure::Series> trace(const Analysis& a, const scenario::MapRequest& r, const double per_si[2]) {
+std::optional<figure::Series> trace(const Analysis& a, const MapOptions& r, const double per_si[2]) {
   const Eigen::MatrixXd& q = a.scenario().motion.value;
   figure::Series s{"motion", {}, {}, 0};
   bool moves = false;
@@ -62,9 +62,9 @@ std::optional<figure::Series> trace(const Analysis& a, const scenario::MapReques
 
 }  // namespace
 
-SingularityMap singularity_map(const Analysis& a, const scenario::MapRequest& request, double length) {
+SingularityMap singularity_map(const Analysis& a, const MapOptions& request, double length) {
   const mechanics::Machine& m = a.machine();
-  scenario::MapRequest r = request;
+  MapOptions r = request;
   if (r.at.size() == 0) r.at = m.home();
   const Grid grid = evaluate_grid(m, r, length);
   const auto n = static_cast<std::size_t>(r.points);

@@ -15,7 +15,7 @@ std::string moving(std::string_view motion) {
 }
 Motion motion_of(const std::string& text, const std::filesystem::path& file = "a.toml") {
   INFO(told(text, file));
-  return load_text(text, file, stage::source()).scenario.motion;
+  return load_text(text, file, stage::source(), section::kinds()).scenario.motion;
 }
 
 constexpr std::string_view points = R"(
