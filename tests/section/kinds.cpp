@@ -42,7 +42,7 @@ section::Result make_wheel(const section::Context& c, const scenario::Section& s
   section::Result out{
       {fmt::format("wheel{}", c.number), "wheel", "Wheel", {document::Paragraph{document::Paragraph::Tone::plain, own.name}}}};
   out.values.push_back({"wheel", "way", "m", own.turns * turn});
-  out.values.push_back({"wheel", "place", "m", measure(c.analysis, own.place, c.values).value});
+  out.values.push_back({"wheel", "place", "m", section::measure(c.analysis, own.place, c.values).value});
   return out;
 }
 

@@ -62,7 +62,7 @@ struct SectionKind {
   std::vector<NeededTable> tables = {};
   // The columns that it shows and that checks may name while it is asked for; time, always first, is not listed. nullptr: none.
   std::vector<Column> (*columns)(const Topology&) = nullptr;
-  // Its quantities, with these options; with none, nullptr, all that it could ever have. nullptr: none.
+  // Its quantities as these options make them; all that it could ever have where the options are null. nullptr: it has none.
   std::vector<Quantity> (*quantities)(const Options*) = nullptr;
   // Its options where no key stands. nullptr: it has no keys.
   std::shared_ptr<Options> (*make_options)() = nullptr;

@@ -1,4 +1,5 @@
 #include <reports/section/acceleration/acceleration.hpp>
+
 #include <reports/section/common/kinematic_plots.hpp>
 
 namespace pmreport::section {

@@ -1,5 +1,6 @@
-#include <core/scenario/section/keys.hpp>
 #include <reports/section/assembly/assembly.hpp>
+
+#include <core/scenario/section/keys.hpp>
 
 namespace pmreport::section {
 

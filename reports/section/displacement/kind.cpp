@@ -1,5 +1,6 @@
-#include <reports/section/common/kinematic_plots.hpp>
 #include <reports/section/displacement/displacement.hpp>
+
+#include <reports/section/common/kinematic_plots.hpp>
 
 namespace pmreport::section {
 

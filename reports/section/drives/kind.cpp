@@ -1,8 +1,11 @@
-#include <fmt/core.h>
-#include <algorithm>
+#include <reports/section/drives/drives.hpp>
+
 #include <core/scenario/parts.hpp>
 #include <core/text/text.hpp>
-#include <reports/section/drives/drives.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
 
 namespace pmreport::section {
 

@@ -1,6 +1,7 @@
+#include <reports/section/dynamics/dynamics.hpp>
+
 #include <core/scenario/section/keys.hpp>
 #include <reports/section/common/kinematic_plots.hpp>
-#include <reports/section/dynamics/dynamics.hpp>
 
 namespace pmreport::section {
 

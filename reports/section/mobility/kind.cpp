@@ -1,5 +1,6 @@
-#include <core/scenario/section/keys.hpp>
 #include <reports/section/mobility/mobility.hpp>
+
+#include <core/scenario/section/keys.hpp>
 
 namespace pmreport::section {
 

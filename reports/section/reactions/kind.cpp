@@ -1,5 +1,6 @@
-#include <core/scenario/section/keys.hpp>
 #include <reports/section/reactions/reactions.hpp>
+
+#include <core/scenario/section/keys.hpp>
 
 #include <limits>
 

@@ -1,6 +1,8 @@
-#include <algorithm>
-#include <core/scenario/section/keys.hpp>
 #include <reports/section/singularity/singularity.hpp>
+
+#include <core/scenario/section/keys.hpp>
+
+#include <algorithm>
 
 namespace pmreport::section {
 

@@ -1,8 +1,10 @@
+#include <reports/section/snapshots/snapshots.hpp>
+
+#include <core/scenario/section/keys.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <core/scenario/section/keys.hpp>
 #include <numbers>
-#include <reports/section/snapshots/snapshots.hpp>
 
 namespace pmreport::section {
 

@@ -1,6 +1,7 @@
+#include <reports/section/statics/statics.hpp>
+
 #include <reports/section/common/kinematic_plots.hpp>
 #include <reports/section/dynamics/dynamics.hpp>
-#include <reports/section/statics/statics.hpp>
 
 namespace pmreport::section {
 

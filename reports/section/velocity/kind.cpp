@@ -1,5 +1,6 @@
-#include <reports/section/common/kinematic_plots.hpp>
 #include <reports/section/velocity/velocity.hpp>
+
+#include <reports/section/common/kinematic_plots.hpp>
 
 namespace pmreport::section {
 

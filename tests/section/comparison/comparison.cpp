@@ -16,7 +16,7 @@ section::Result compare(const std::string& rows, const std::string& options = ""
   INFO(trial::told(text));
   const scenario::Loaded loaded = scenario::load_text(text, "a.toml", stage::source(), section::kinds());
   const section::Analysis a(loaded.scenario, *loaded.machine, {});
-  return section::comparison_section(a, loaded.scenario.sections.back(),
+  return section::comparison_section(a, options_of<section::ComparisonOptions>(loaded.scenario.sections.back()),
                                      {{"classification", "by_rule", "", 151}, {"classification", "base_schemes", "", 118}});
 }
 

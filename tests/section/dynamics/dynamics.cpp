@@ -168,7 +168,7 @@ TEST_CASE("numbers do not depend on how the samples are shared out") {
 
 TEST_CASE("work over a closed path is that of the load alone, and what comes back is counted apart") {
   const Run r(circuit(dynamics));
-  const auto work = section::motion_work(r.analysis);
+  const auto work = analysis::motion_work(r.analysis);
   REQUIRE(work);
   CHECK(work->whole);
   CHECK(work->closed);
@@ -182,7 +182,7 @@ TEST_CASE("work over a closed path is that of the load alone, and what comes bac
 TEST_CASE("a path that does not return leaves its work in the bodies or in the load") {
   const std::string half = circuit(dynamics).replace(circuit(dynamics).find("\"2 s\""), 5, "\"0.5 s\"");
   const Run r(half);
-  const auto work = section::motion_work(r.analysis);
+  const auto work = analysis::motion_work(r.analysis);
   REQUIRE(work);
   CHECK_FALSE(work->closed);
   // At 0.5 s: at the top, 0.2 m up, at rest; phi is back at zero, its rate reversed.
@@ -203,7 +203,7 @@ z = "-4.905 m/s^2 * t^2"
 [load]
 gravity = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]
 )toml" + dynamics);
-  const auto work = section::motion_work(fall.analysis);
+  const auto work = analysis::motion_work(fall.analysis);
   REQUIRE(work);
   // What falls turns into motion: 5 kg through 4.905 m, once out of one store and once into the other.
   const double fallen = (car_mass + disc_mass) * 9.81 * 4.905;
@@ -217,7 +217,7 @@ TEST_CASE("a motion whose jerk jumps still has its work to rounding, and its pow
   const std::string smooth = "0.2 m * sin(pi*t/1 s)";
   text.replace(text.find(smooth), smooth.size(), "0.1 m * (max(t - 0.7303 s, 0 s)/1 s)^3");
   const Run r(text);
-  const auto work = section::motion_work(r.analysis);
+  const auto work = analysis::motion_work(r.analysis);
   REQUIRE(work);
   CHECK(std::abs(work->work() + work->load - work->stored) < 1e-10 * work->flow);
   const section::Worst w = r.analysis.worst(section::Measure::power_balance);
