@@ -112,7 +112,8 @@ TEST_CASE("a kind of a test's own is read by its keys") {
 TEST_CASE("mistakes in a kind of a test's own are told as in any other") {
   const auto tell = [](const std::string& lines) { return told(trial::with_more(limits + wheel(lines))); };
   CHECK_THAT(tell(""), Contains("expected the key \"radius\" in [[section]]") && Contains("add a line: radius = \"0.5 m\""));
-  CHECK_THAT(tell("radius = \"1 m\"\nturns = 10\n"), Contains("a.toml:17:9: error: expected a whole number from 1 to 9, seen 10"));
+  CHECK_THAT(tell("radius = \"1 m\"\nturns = 10\n"),
+             Contains("a.toml:17:9: error: expected a whole number from 1 to 9, seen the number 10"));
   CHECK_THAT(tell("radius = \"1 m\"\nturn = 1\n"), Contains("unknown key \"turn\" in a section of kind \"wheel\"; did you mean "
                                                             "\"turns\"?") &&
                                                        Contains("the keys are kind, title, turns, name, radius and place"));
