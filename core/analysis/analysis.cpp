@@ -30,8 +30,8 @@ Analysis::Analysis(const scenario::Scenario& scenario, const mechanics::Trajecto
 
 void Analysis::run(const Progress& progress) {
   const std::size_t n = time().size();
-  for (const char* section : {"displacement", "velocity", "acceleration", "statics"})
-    for (const mechanics::Column& c : mechanics::columns_of(section, machine_.topology())) columns_.add(c.name, n);
+  for (ColumnList* list : {displacement_columns, velocity_columns, acceleration_columns, statics_columns})
+    for (const Column& c : list(machine_.topology())) columns_.add(c.name, n);
   outcomes_.assign(n, Outcome::good);
 
   const mechanics::Closure closure(machine_);
@@ -58,9 +58,9 @@ void Analysis::run(const Progress& progress) {
       throw mechanics::MechanismError(PM_FAILED, "sample " + std::to_string(k + 1) + ": " + why_[static_cast<int>(k)]);
 }
 
-std::vector<mechanics::Column> Analysis::columns_of(std::string_view section) const {
-  std::vector<mechanics::Column> out = mechanics::columns_of(section, machine_.topology());
-  std::erase_if(out, [&](const mechanics::Column& c) { return !has(c.name); });
+std::vector<Column> Analysis::columns_of(ColumnList* list) const {
+  std::vector<Column> out = list(machine_.topology());
+  std::erase_if(out, [&](const Column& c) { return !has(c.name); });
   return out;
 }
 

@@ -5,18 +5,17 @@
 #include <core/analysis/asked.hpp>
 #include <core/analysis/breaches.hpp>
 #include <core/analysis/column_store.hpp>
+#include <core/analysis/columns.hpp>
 #include <core/analysis/crossings.hpp>
 #include <core/analysis/progress.hpp>
 #include <core/analysis/residuals.hpp>
-#include <core/mechanics/model/outcome.hpp>
 #include <core/mechanics/mobility/mobility_count.hpp>
+#include <core/mechanics/model/outcome.hpp>
 #include <core/mechanics/reactions/reactions.hpp>
 #include <core/scenario/scenario.hpp>
-#include <core/scenario/section/columns.hpp>
 
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace pmreport::analysis {
@@ -37,9 +36,9 @@ class Analysis {
   const std::vector<double>& time() const { return trajectory_.time; }
   int samples() const { return trajectory_.samples(); }
 
-  // The columns of a section that this run has, in the order of mechanics::columns_of: forces in motion when something asks for them, motor
-  // columns where a motor is given.
-  std::vector<mechanics::Column> columns_of(std::string_view section) const;
+  // Those columns of a list that this run has, in its order: forces in motion when something asks for them, motor columns where a motor is
+  // given.
+  std::vector<Column> columns_of(ColumnList* list) const;
   bool has(const std::string& column) const { return columns_.has(column); }
   // NaN where a sample has no value.
   const std::vector<double>& column(const std::string& name) const { return columns_[name]; }

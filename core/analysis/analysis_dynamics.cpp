@@ -32,21 +32,21 @@ std::vector<int> spread(const Analysis& a, int wanted) {
 
 void Analysis::add_force_columns() {
   const Topology& t = machine_.topology();
-  const auto add = [&](const char* section, auto&& wanted) {
-    for (const mechanics::Column& c : mechanics::columns_of(section, t))
+  const auto add = [&](ColumnList* list, auto&& wanted) {
+    for (const Column& c : list(t))
       if (wanted(c)) columns_.add(c.name, time().size());
   };
-  const auto all = [](const mechanics::Column&) { return true; };
-  add("dynamics", all);
+  const auto all = [](const Column&) { return true; };
+  add(dynamics_columns, all);
   if (asked_.drives) {
-    const auto has_motor = [&](const mechanics::Column& c) {
+    const auto has_motor = [&](const Column& c) {
       for (std::size_t i = 0; i < scenario_.drives.size(); ++i)
         if (c.name == t.actuators[i].name + "_" + c.group) return scenario_.drives[i].ratio > 0;
       return false;
     };
-    add("drives", [&](const mechanics::Column& c) { return !c.group.starts_with("motor_") || has_motor(c); });
+    add(drive_columns, [&](const Column& c) { return !c.group.starts_with("motor_") || has_motor(c); });
   }
-  if (asked_.reactions) add("reactions", all);
+  if (asked_.reactions) add(reaction_columns, all);
 }
 
 void Analysis::run_dynamics(const Progress& progress) {

@@ -16,16 +16,17 @@ bool bounds(const std::vector<double>& limits) {
 }  // namespace
 
 Asked asked_by(const scenario::Scenario& s) {
+  const scenario::Needs needs = s.needs();
   Asked out;
-  out.displacement_evidence = s.asks_for("displacement");
-  out.velocity_evidence = s.asks_for("velocity");
-  out.acceleration_evidence = s.asks_for("acceleration");
-  out.statics = s.asks_for("statics");
-  out.drives = s.asks_for("drives");
-  out.reactions = s.asks_for("reactions") || bounds(s.limits.joint_force) || bounds(s.limits.joint_moment);
-  out.power_evidence = s.asks_for("dynamics");
-  out.force_evidence = s.asks_for("dynamics") || s.asks_for("reactions");
-  out.forces = s.limits.any() || s.asks_for("dynamics") || s.asks_for("drives") || s.asks_for("reactions") || s.asks_for("speed");
+  out.displacement_evidence = needs.displacement_evidence;
+  out.velocity_evidence = needs.velocity_evidence;
+  out.acceleration_evidence = needs.acceleration_evidence;
+  out.statics = needs.statics;
+  out.forces = needs.dynamics || s.limits.any();
+  out.force_evidence = needs.force_evidence;
+  out.power_evidence = needs.power_evidence;
+  out.drives = needs.drives;
+  out.reactions = needs.reactions || bounds(s.limits.joint_force) || bounds(s.limits.joint_moment);
   return out;
 }
 

@@ -1,6 +1,6 @@
 #include <core/analysis/breaches.hpp>
 
-#include <core/scenario/section/columns.hpp>
+#include <core/analysis/columns.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ std::vector<LimitBreach> find_breaches(const Topology& t, const ColumnStore& col
   for (const Actuator& a : t.actuators) look(a.name, a.name + " (" + a.title + ")", a.unit, a.stroke, true);
   for (const Joint& j : t.joints) {
     if (j.kind == JointKind::prismatic) continue;
-    for (std::size_t i = 0; i < j.limits.size(); ++i) look(mechanics::joint_column(j, i), "joint " + j.name, "rad", j.limits[i], false);
+    for (std::size_t i = 0; i < j.limits.size(); ++i) look(joint_column(j, i), "joint " + j.name, "rad", j.limits[i], false);
   }
   return out;
 }

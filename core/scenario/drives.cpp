@@ -58,11 +58,6 @@ void refuse_ratio(const Said& said, const std::string& subject, const Reader& re
 constexpr const char* give_lead = "lead = \"5 mm\"";
 constexpr const char* give_ratio = "ratio = 50, or ratio = 1 for a motor on the joint itself";
 
-// "add to [drive], or to [drive.q], lead = "5 mm""
-std::string how_to_give_motor(const Actuator& a) {
-  return fmt::format("add to [drive], or to [drive.{}], {}", a.name, linear(a) ? give_lead : give_ratio);
-}
-
 void refuse_inertia(Place place, const std::vector<const Actuator*>& lacking, const Reader& reader) {
   std::vector<std::string> names;
   for (const Actuator* a : lacking) names.push_back(a->name);
@@ -76,6 +71,10 @@ void refuse_inertia(Place place, const std::vector<const Actuator*>& lacking, co
 }
 
 }  // namespace
+
+std::string how_to_give_motor(const Actuator& a) {
+  return fmt::format("add to [drive], or to [drive.{}], {}", a.name, linear(a) ? give_lead : give_ratio);
+}
 
 std::vector<DriveTrain> read_drives(const Entry* entry, const MechanismPart& mechanism, const Reader& reader) {
   const Value* content = table_of(entry, "drive", reader);
@@ -116,32 +115,6 @@ std::vector<DriveTrain> read_drives(const Entry* entry, const MechanismPart& mec
   if (!lacking.empty()) refuse_inertia(all.inertia_at->place, lacking, reader);
   table.finish();
   return drives;
-}
-
-void keep_motors(const Measurable& measurable, std::size_t offset, Measured& measured) {
-  if (!measurable.topology || measurable.drives.empty()) return;
-  const std::vector<Actuator>& actuators = measurable.topology->actuators;
-  std::vector<std::string> without;
-  for (std::size_t i = 0; i < actuators.size(); ++i)
-    if (measurable.drives[i].ratio == 0) without.push_back(actuators[i].name);
-  const auto refuse = [&] {
-    const auto first = std::find_if(actuators.begin(), actuators.end(), [&](const Actuator& a) { return a.name == without.front(); });
-    throw ExpressionError(
-        offset,
-        fmt::format("no motor is described for {}: [drive] does not say what stands between motor and actuator", listed(without, "and")),
-        how_to_give_motor(*first));
-  };
-  if (measured.quantity.starts_with("drives.peak_") && without.size() == actuators.size()) refuse();
-  std::vector<std::string> kept;
-  for (const std::string& column : measured.columns) {
-    const auto idle = std::find_if(without.begin(), without.end(), [&](const std::string& a) { return column.starts_with(a + "_motor_"); });
-    if (idle == without.end())
-      kept.push_back(column);
-    else if (measured.columns.size() == 1)
-      without = {std::string(*idle)};
-  }
-  if (!measured.columns.empty() && kept.empty()) refuse();
-  measured.columns = kept;
 }
 
 }  // namespace pmreport::scenario

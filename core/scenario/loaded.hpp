@@ -28,8 +28,9 @@ struct Loaded {
   mechanics::Trajectory trajectory;  // of no samples when the scenario has no motion
   std::unique_ptr<mechanics::Machine> machine;
 };
-Loaded load(const std::filesystem::path& file, const MechanismSource& source);
-Loaded load_text(const std::string& text, const std::filesystem::path& file, const MechanismSource& source);
+// `kinds`: of the sections that it may ask for.
+Loaded load(const std::filesystem::path& file, const MechanismSource& source, Kinds kinds);
+Loaded load_text(const std::string& text, const std::filesystem::path& file, const MechanismSource& source, Kinds kinds);
 
 // Largest number of samples; more is refused with the estimate of time and memory.
 inline constexpr std::size_t max_samples = 1'000'000;

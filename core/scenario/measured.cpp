@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <core/scenario/section/columns.hpp>
-#include <core/scenario/section/quantities.hpp>
 #include <core/scenario/section/section_part.hpp>
 #include <core/text/text.hpp>
 
@@ -70,19 +68,20 @@ Parts parse_that(const std::string& that, Measured& measured) {
 }
 
 // Finds the columns of a name: a column or a group of a section that the report has.
-void resolve(const Piece& name, const std::vector<SectionRequest>& sections, const Topology& topology, Measured& measured) {
+void resolve(const Piece& name, const Measurable& measurable, const Topology& topology, Measured& measured) {
   std::vector<std::string> known, groups;
   bool mixed = false;
-  for (const std::string& section : mechanics::sections_with_columns()) {
-    const bool requested =
-        std::any_of(sections.begin(), sections.end(), [&](const SectionRequest& s) { return s.kind == section || s.kind.empty(); });
-    for (const mechanics::Column& column : mechanics::columns_of(section, topology)) {
+  for (const SectionKind* kind : measurable.kinds) {
+    if (kind->columns == nullptr) continue;
+    const bool requested = std::any_of(measurable.sections.begin(), measurable.sections.end(),
+                                       [&](const Section& s) { return s.kind == kind || s.kind == nullptr; });
+    for (const Column& column : kind->columns(topology)) {
       const bool meant = column.name == name.text || column.group == name.text;
       if (meant && !requested) {
         throw ExpressionError(
             name.offset,
-            fmt::format("{} belongs to the section {}, which this scenario does not have", in_quotes(name.text), in_quotes(section)),
-            fmt::format("add [[section]] and kind = \"{}\"", section));
+            fmt::format("{} belongs to the section {}, which this scenario does not have", in_quotes(name.text), in_quotes(kind->name)),
+            fmt::format("add [[section]] and kind = \"{}\"", kind->name));
       }
       known.push_back(column.name);
       if (std::find(groups.begin(), groups.end(), column.group) == groups.end()) groups.push_back(column.group);
@@ -102,22 +101,45 @@ void resolve(const Piece& name, const std::vector<SectionRequest>& sections, con
                           fmt::format("name one of them: {}", listed(measured.columns, "or")));
 }
 
-// Finds a quantity that a section names, "mobility.redundant". `still`: there is no motion.
-void resolve_quantity(const std::string& that, const std::vector<SectionRequest>& sections, bool still, Measured& measured) {
-  std::vector<std::string> known;
-  for (const std::string& kind : mechanics::sections_with_quantities()) {
+// The kinds that have quantities: those about the mechanism and its poses first, then those about forces in motion.
+std::vector<const SectionKind*> with_quantities(Kinds kinds) {
+  std::vector<const SectionKind*> out;
+  for (const bool forces : {false, true})
+    for (const SectionKind* kind : kinds)
+      if (kind->quantities != nullptr && kind->needs.dynamics == forces) out.push_back(kind);
+  return out;
+}
+
+// Its quantities where none of its keys stands.
+std::vector<Quantity> plain_quantities(const SectionKind& kind) {
+  const std::shared_ptr<Options> options = kind.make_options != nullptr ? kind.make_options() : nullptr;
+  return kind.quantities(options.get());
+}
+
+// Finds a quantity that a section names, "mobility.redundant".
+void resolve_quantity(const std::string& that, const Measurable& measurable, Measured& measured) {
+  const auto& sections = measurable.sections;
+  const std::string prefix = that.substr(0, that.find('.'));
+  std::vector<std::string> all, known, own;  // own: of the kind that `prefix` names
+  for (const SectionKind* kind : with_quantities(measurable.kinds)) {
+    all.push_back(kind->name);
     const auto section =
-        std::find_if(sections.begin(), sections.end(), [&](const SectionRequest& s) { return s.kind == kind || s.kind.empty(); });
-    // Without its section nobody knows how many poses it would have had; any number is as good.
-    const std::size_t poses = section != sections.end() ? section->poses.size() : most_poses;
-    for (const mechanics::Quantity& q : mechanics::quantities_of(kind, poses)) {
+        std::find_if(sections.begin(), sections.end(), [&](const Section& s) { return s.kind == kind || s.kind == nullptr; });
+    const bool missing = section == sections.end();
+    // Without its section nobody knows what its keys would have said: all that it could ever have is found, the plain ones are told.
+    const std::vector<Quantity> quantities = missing                    ? kind->quantities(nullptr)
+                                             : section->kind == nullptr ? plain_quantities(*kind)
+                                                                        : kind->quantities(section->options.get());
+    if (kind->name == prefix)
+      for (const Quantity& q : missing ? plain_quantities(*kind) : quantities) own.push_back(q.name);
+    for (const Quantity& q : quantities) {
       known.push_back(q.name);
       if (q.name != that) continue;
-      if (section == sections.end())
+      if (missing)
         throw ExpressionError(
-            0, fmt::format("{} belongs to the section {}, which this scenario does not have", in_quotes(that), in_quotes(kind)),
-            fmt::format("add [[section]] and kind = \"{}\"", kind));
-      if (still && is_of_motion(that))
+            0, fmt::format("{} belongs to the section {}, which this scenario does not have", in_quotes(that), in_quotes(kind->name)),
+            fmt::format("add [[section]] and kind = \"{}\"", kind->name));
+      if (measurable.span && measurable.span->empty() && q.of_motion)
         throw ExpressionError(0, fmt::format("{} is of a motion, and this scenario has none", in_quotes(that)),
                               "add [motion], duration = \"10 s\" and samples = 501");
       measured.quantity = q.name;
@@ -126,16 +148,15 @@ void resolve_quantity(const std::string& that, const std::vector<SectionRequest>
       return;
     }
   }
-  const std::string kind = that.substr(0, that.find('.'));
-  std::vector<std::string> own;
-  for (const std::string& name : known)
-    if (name.starts_with(kind + ".")) own.push_back(name);
-  const auto asked = std::find_if(sections.begin(), sections.end(), [&](const SectionRequest& s) { return s.kind == kind; });
-  if (asked == sections.end() && own.size() > most_poses) own.resize(own.size() - 2 * most_poses);
   throw ExpressionError(0, fmt::format("no quantity is called {}{}", in_quotes(that), did_you_mean(that, known)),
-                        own.empty()
-                            ? fmt::format("the sections with quantities are {}", listed(mechanics::sections_with_quantities(), "and"))
-                            : fmt::format("the quantities of {} are {}", kind, listed(own, "and")));
+                        own.empty() ? fmt::format("the sections with quantities are {}", listed(all, "and"))
+                                    : fmt::format("the quantities of {} are {}", prefix, listed(own, "and")));
+}
+
+// Leaves out what this scenario leaves empty, as the kinds know it.
+void narrow(const Measurable& measurable, std::size_t offset, Measured& measured) {
+  for (const SectionKind* kind : measurable.kinds)
+    if (kind->narrow != nullptr) kind->narrow(measurable, offset, measured);
 }
 
 // A name with a point in it and no reduction around it.
@@ -150,8 +171,8 @@ std::optional<Measured> read_measured(const Value& value, const Measurable& meas
   out.that = *text;
   try {
     if (names_quantity(*text)) {
-      resolve_quantity(std::string(trim(*text)), measurable.sections, measurable.span && measurable.span->empty(), out);
-      keep_motors(measurable, 0, out);
+      resolve_quantity(std::string(trim(*text)), measurable, out);
+      narrow(measurable, 0, out);
       return out;
     }
     const auto [name, time] = parse_that(*text, out);
@@ -161,8 +182,8 @@ std::optional<Measured> read_measured(const Value& value, const Measurable& meas
                             fmt::format("expected a time within the motion, {} s to {} s, seen {} s", format_number(span->begin, 6),
                                         format_number(span->end, 6), format_number(out.time, 6)));
     if (measurable.topology) {
-      resolve(name, measurable.sections, *measurable.topology, out);
-      keep_motors(measurable, name.offset, out);
+      resolve(name, measurable, *measurable.topology, out);
+      narrow(measurable, name.offset, out);
     }
   } catch (const ExpressionError& e) {
     reader.refuse(value, e);

@@ -5,7 +5,7 @@
 #include <core/scenario/measured.hpp>
 #include <core/scenario/motion/request.hpp>
 #include <core/scenario/read/reader.hpp>
-#include <core/scenario/section/request.hpp>
+#include <core/scenario/section/kind.hpp>
 #include <optional>
 #include <pmreport/topology.hpp>
 #include <vector>
@@ -14,18 +14,16 @@ namespace pmreport::scenario {
 
 // What one number of the report may be made of.
 struct Measurable {
-  const std::vector<SectionRequest>& sections;
+  const std::vector<Section>& sections;
   const std::optional<Topology>& topology;
   const std::optional<TimeSpan>& span;
   const std::vector<mechanics::DriveTrain>& drives;
+  Kinds kinds;  // all that a section could be of
 };
 // "max(abs(actuator_force))", "at(l1, 2.5 s)", "mobility.redundant". Nothing, told, when there is no such thing in this report; a thing
 // without columns and quantity when the mechanism is unknown, so that it cannot be judged.
 std::optional<Measured> read_measured(const Value& value, const Measurable& measurable, const Reader& reader);
 bool judged(const Measured& m);
-// Takes from a group of motor columns those of actuators whose [drive] has no motor: they would hold no number. Throws ExpressionError, at
-// `offset` of the text, when that leaves nothing, also of a quantity.
-void keep_motors(const Measurable& measurable, std::size_t offset, Measured& measured);
 
 std::vector<Check> read_checks(const Entry* entry, const Measurable& measurable, const Reader& reader);
 

@@ -27,11 +27,18 @@ std::string text_or_nothing(const Entry* entry, const Reader& reader) {
 
 }  // namespace
 
-bool Scenario::asks_for(std::string_view kind) const {
-  return std::any_of(sections.begin(), sections.end(), [&](const SectionRequest& r) { return r.kind == kind; });
+bool Scenario::asks_for(const SectionKind& kind) const {
+  return std::any_of(sections.begin(), sections.end(), [&](const Section& s) { return s.kind == &kind; });
 }
 
-Loaded load_text(const std::string& text, const std::filesystem::path& file, const MechanismSource& source) {
+Needs Scenario::needs() const {
+  Needs out;
+  out.motion = false;
+  for (const Section& s : sections) out |= s.kind->needs;
+  return out;
+}
+
+Loaded load_text(const std::string& text, const std::filesystem::path& file, const MechanismSource& source, Kinds kinds) {
   const std::string shown = printable(file.string());
   if (text.size() > largest_file)
     refuse_file(shown, fmt::format("expected at most {} MiB, seen {} bytes", largest_file >> 20, text.size()));
@@ -58,7 +65,7 @@ Loaded load_text(const std::string& text, const std::filesystem::path& file, con
   const Entry *motion_at = table.find("motion"), *load_at = table.find("load"), *drive = table.find("drive"),
               *limits = table.find("limits"), *sections = table.find("section");
   LoadPart load = read_load(load_at, reader);
-  const bool motion_needed = need_motion(sections);
+  const bool motion_needed = need_motion(sections, kinds);
   MotionPart motion = read_motion(motion_at, motion_needed, mechanism, load.load, file, reader);
   s.load = sampled(std::move(load), motion.trajectory.time, diagnostics);
   if (motion_at == nullptr && !motion_needed)
@@ -68,8 +75,9 @@ Loaded load_text(const std::string& text, const std::filesystem::path& file, con
                         fmt::format("remove it, or add [motion], duration = \"10 s\" and samples = 501"));
   s.drives = read_drives(drive, mechanism, reader);
   s.limits = read_limits(limits, mechanism, reader);
-  s.sections = read_sections(sections, motion.span, mechanism, {drive, limits, s.drives}, reader);
-  s.checks = read_checks(table.find("check"), {s.sections, mechanism.topology, motion.span, s.drives}, reader);
+  const GivenTable tables[] = {{"drive", drive}, {"limits", limits}};
+  s.sections = read_sections(sections, kinds, motion.span, mechanism, tables, s.drives, reader);
+  s.checks = read_checks(table.find("check"), {s.sections, mechanism.topology, motion.span, s.drives, kinds}, reader);
   table.finish();
   diagnostics.throw_if_any();
 
@@ -82,7 +90,7 @@ Loaded load_text(const std::string& text, const std::filesystem::path& file, con
   return out;
 }
 
-Loaded load(const std::filesystem::path& file, const MechanismSource& source) {
+Loaded load(const std::filesystem::path& file, const MechanismSource& source, Kinds kinds) {
   const std::string shown = printable(file.string());
   std::error_code error;
   if (!std::filesystem::exists(file, error)) refuse_file(shown, "there is no such file");
@@ -91,7 +99,7 @@ Loaded load(const std::filesystem::path& file, const MechanismSource& source) {
     refuse_file(shown, fmt::format("expected at most {} MiB, seen {} bytes", largest_file >> 20, size));
   const auto text = read_file(file, largest_file);
   if (!text) refuse_file(shown, "the file cannot be read", "look at its permissions");
-  return load_text(*text, file, source);
+  return load_text(*text, file, source, kinds);
 }
 
 }  // namespace pmreport::scenario

@@ -6,7 +6,7 @@
 #include <core/scenario/load.hpp>
 #include <core/scenario/measured.hpp>
 #include <core/scenario/motion/request.hpp>
-#include <core/scenario/section/request.hpp>
+#include <core/scenario/section/kind.hpp>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -26,9 +26,10 @@ struct Scenario {
   Load load;                                  // along the motion; of no samples without one
   std::vector<mechanics::DriveTrain> drives;  // one an actuator; empty: the scenario has no [drive]
   mechanics::MotionLimits limits;             // from [limits]; all lists as long as the topology's
-  std::vector<SectionRequest> sections;
+  std::vector<Section> sections;
   std::vector<Check> checks;
-  bool asks_for(std::string_view kind) const;  // a section of that kind
+  bool asks_for(const SectionKind& kind) const;  // a section of that kind
+  Needs needs() const;                           // of all sections together
 };
 
 }  // namespace pmreport::scenario

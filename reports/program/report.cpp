@@ -2,7 +2,8 @@
 #include <reports/document/write.hpp>
 #include <reports/program/commands.hpp>
 #include <reports/program/terminal.hpp>
-#include <reports/section/section.hpp>
+#include <reports/section/kinds.hpp>
+#include <reports/section/make_report.hpp>
 
 #include <fmt/core.h>
 
@@ -49,7 +50,7 @@ void print_verdict(const document::Report& report, const std::string& folder) {
 int report(const Options& options, bool (*stop)()) {
   const host::Catalog catalog(host::search_folders(options.plugin_path));
   tell_refused(catalog);
-  const scenario::Loaded loaded = scenario::load(options.scenario, source_of(catalog));
+  const scenario::Loaded loaded = scenario::load(options.scenario, source_of(catalog), section::kinds());
   if (options.check_only) {
     if (!options.quiet)
       fmt::print("{}: valid, {}, {} sections\n", options.scenario,
@@ -62,8 +63,7 @@ int report(const Options& options, bool (*stop)()) {
                                    [&] {
                                      if (stop()) throw document::Interrupted("interrupted");
                                    }};
-  const document::Report report =
-      section::make_report(loaded, PMREPORT_VERSION, catalog.find(loaded.scenario.mechanism)->build, progress);
+  const document::Report report = section::make_report(loaded, PMREPORT_VERSION, catalog.find(loaded.scenario.mechanism)->build, progress);
   const std::string folder = options.out.empty() ? std::filesystem::path(options.scenario).stem().string() + "-report" : options.out;
   terminal.say("writing " + folder);
   document::write(report, folder, stop);

@@ -1,7 +1,7 @@
 // The gates of a report.
+#include <reports/section/checks.hpp>
 #include <reports/section/common/limits.hpp>
 #include <reports/section/common/words.hpp>
-#include <reports/section/section.hpp>
 
 #include <fmt/core.h>
 

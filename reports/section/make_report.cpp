@@ -1,14 +1,17 @@
-// From a scenario and its machine to the report.
+#include <reports/section/checks.hpp>
 #include <reports/section/common/limits.hpp>
 #include <reports/section/common/plots.hpp>
+#include <reports/section/common/stage.hpp>
 #include <reports/section/common/words.hpp>
-#include <reports/section/section.hpp>
+#include <reports/section/kinds.hpp>
+#include <reports/section/make_report.hpp>
+#include <reports/section/overview.hpp>
 
 #include <fmt/core.h>
 #include <glib.h>
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 namespace pmreport::section {
 
@@ -60,14 +63,14 @@ std::vector<Paragraph> summary(const Analysis& a, const Report& r) {
 }
 
 // Minimum and maximum of every column: what a program reads from results.json.
-void add_values(Report& r, const Analysis& a, const std::string& section) {
-  for (const mechanics::Column& c : a.columns_of(section)) {
+void add_values(Report& r, const Analysis& a, const SectionKind& kind) {
+  for (const scenario::Column& c : a.columns_of(kind.columns)) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const double x : a.column(c.name))
       if (std::isfinite(x)) low = std::min(low, x), high = std::max(high, x);
     if (low > high) continue;
-    r.values.push_back({section, "min(" + c.name + ")", c.unit, low});
-    r.values.push_back({section, "max(" + c.name + ")", c.unit, high});
+    r.values.push_back({kind.name, "min(" + c.name + ")", c.unit, low});
+    r.values.push_back({kind.name, "max(" + c.name + ")", c.unit, high});
   }
 }
 
@@ -78,9 +81,7 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
   const mechanics::Machine& m = *loaded.machine;
   progress.say(s.motion ? fmt::format("{} samples of {}", loaded.trajectory.samples(), m.info().name) : m.info().name);
   scene::Studio studio;
-  const auto pictures = {"mechanism", "snapshots", "singularity", "assembly"};
-  if (std::any_of(pictures.begin(), pictures.end(), [&](const char* kind) { return s.asks_for(kind); }))
-    studio.prepare();  // while the analysis runs
+  if (s.needs().pictures) studio.prepare();  // while the analysis runs
   const Analysis a(s, loaded.trajectory, m, analysis::asked_by(s), progress);
 
   Report r;
@@ -94,51 +95,41 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
 
   const Stage stage(a, studio);
   std::vector<document::Section> overview = overview_section(a);
-  std::set<std::string> data;
-  int snapshots = 0;
+  std::map<const scenario::SectionKind*, int> made;  // of each kind
   std::vector<document::Check> gates;
-  const auto take = [&](Result result) {
+  const auto make = [&](const scenario::Section& asked, int number) {
+    Result result = kind_of(asked).make({a, stage, progress, r.values, number}, asked);
     for (document::Value& v : result.values) r.values.push_back(std::move(v));
     for (document::Data& d : result.data) r.data.push_back(std::move(d));
     for (document::Check& c : result.checks) gates.push_back(std::move(c));
+    if (!asked.title.empty()) result.section.title = asked.title;
     return std::move(result.section);
   };
-  std::vector<std::pair<std::size_t, const scenario::SectionRequest*>> comparisons;  // where each belongs
-  for (const scenario::SectionRequest& request : s.sections) {
+  struct Last {  // a section that needs the values of all others, and where it belongs
+    std::size_t index;
+    const scenario::Section& asked;
+    int number;
+  };
+  std::vector<Last> last;
+  for (const scenario::Section& asked : s.sections) {
     progress.stop_if_asked();
-    progress.say("section " + request.kind);
+    const SectionKind& kind = kind_of(asked);
+    progress.say("section " + kind.name);
+    const int number = ++made[asked.kind];
+    const bool later = kind.needs.values_of_others;
     document::Section section;
-    if (request.kind == "mechanism") section = mechanism_section(a, stage);
-    if (request.kind == "snapshots") section = snapshots_section(a, request, stage, progress, ++snapshots);
-    if (request.kind == "displacement") section = displacement_section(a);
-    if (request.kind == "velocity") section = velocity_section(a);
-    if (request.kind == "acceleration") section = acceleration_section(a);
-    if (request.kind == "statics") section = statics_section(a);
-    if (request.kind == "dynamics") section = take(dynamics_section(a, request));
-    if (request.kind == "drives") section = take(drives_section(a));
-    if (request.kind == "reactions") section = take(reactions_section(a, request));
-    if (request.kind == "speed") section = take(speed_section(a));
-    if (request.kind == "mobility") section = take(mobility_section(a, request));
-    if (request.kind == "singularity") section = take(singularity_section(a, request, stage, progress));
-    if (request.kind == "assembly") section = take(assembly_section(a, request, stage, progress));
-    if (request.kind == "classification") section = take(classification_section());
-    if (!mechanics::columns_of(request.kind, m.topology()).empty() && data.insert(request.kind).second) {
+    if (!later) section = make(asked, number);
+    if (kind.columns != nullptr && number == 1) {
       // The overview stands before the first section of curves.
       for (document::Section& o : overview) r.sections.push_back(std::move(o));
       overview.clear();
-      r.data.push_back(data_of(a, request.kind));
-      add_values(r, a, request.kind);
+      r.data.push_back(data_of(a, kind.name, kind.columns));
+      add_values(r, a, kind);
     }
-    if (request.kind == "comparison") comparisons.emplace_back(r.sections.size(), &request);
-    if (!request.title.empty()) section.title = request.title;
+    if (later) last.push_back({r.sections.size(), asked, number});
     r.sections.push_back(std::move(section));
   }
-  // A comparison may name a quantity of any other section.
-  for (const auto& [index, request] : comparisons) {
-    document::Section section = take(comparison_section(a, *request, r.values));
-    if (!request->title.empty()) section.title = request->title;
-    r.sections[index] = std::move(section);
-  }
+  for (const Last& l : last) r.sections[l.index] = make(l.asked, l.number);
   r.checks = evaluate_checks(a, r.values);
   r.checks.insert(r.checks.end(), gates.begin(), gates.end());
   r.summary = summary(a, r);

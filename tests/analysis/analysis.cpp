@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <core/analysis/analysis.hpp>
+#include <reports/section/kinds.hpp>
 #include <tests/scenario/trial.hpp>
 
 #include <cmath>
@@ -13,7 +14,7 @@ namespace {
 
 struct Run {
   explicit Run(const std::string& text)
-      : loaded(scenario::load_text(text, "a.toml", stage::source())),
+      : loaded(scenario::load_text(text, "a.toml", stage::source(), section::kinds())),
         analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
   scenario::Loaded loaded;
   analysis::Analysis analysis;

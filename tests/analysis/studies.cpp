@@ -1,5 +1,6 @@
 // Studies of a run: limits, given forces, prescribed actuators, work. The stage's carriage and table have 5 kg along the slide.
 #include <catch2/catch.hpp>
+#include <reports/section/kinds.hpp>
 
 #include <core/analysis/study/given_forces.hpp>
 #include <core/analysis/study/limits.hpp>
@@ -16,7 +17,7 @@ namespace {
 
 struct Run {
   explicit Run(const std::string& text)
-      : loaded(scenario::load_text(text, "a.toml", stage::source())),
+      : loaded(scenario::load_text(text, "a.toml", stage::source(), section::kinds())),
         analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
   scenario::Loaded loaded;
   analysis::Analysis analysis;

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <core/scenario/expression/expression.hpp>
+#include <reports/section/comparison/comparison.hpp>
+#include <reports/section/singularity/singularity.hpp>
 #include <string>
 #include <tests/scenario/stage.hpp>
 
@@ -13,7 +15,7 @@ namespace fuzz {
 inline std::string broken_by_scenario(const std::string& text) {
   using namespace pmreport::scenario;
   try {
-    const Loaded loaded = load_text(text, "fuzz.toml", stage::source());
+    const Loaded loaded = load_text(text, "fuzz.toml", stage::source(), pmreport::section::kinds());
     const pmreport::mechanics::Trajectory& m = loaded.trajectory;
     if (loaded.machine == nullptr) return "a scenario without a machine";
     if (loaded.scenario.motion.has_value() != !m.time.empty()) return "samples without a motion, or a motion without samples";
@@ -36,13 +38,18 @@ inline std::string broken_by_scenario(const std::string& text) {
     if (loaded.scenario.sections.empty()) return "a scenario without sections";
     for (const Check& c : loaded.scenario.checks)
       if (c.columns.empty() == c.quantity.empty() || (!c.below && !c.above)) return "a check of nothing";
-    for (const SectionRequest& r : loaded.scenario.sections) {
-      for (const ComparisonRow& row : r.rows)
-        if (row.here.columns.empty() == row.here.quantity.empty() || !std::isfinite(row.published) || !(row.tolerance >= 0))
-          return "a comparison of nothing";
-      for (const Eigen::VectorXd& q : r.poses)
-        if (q.size() != loaded.machine->dof() || !q.allFinite()) return "a pose that is none";
-      if (r.map && !(r.map->from[0] < r.map->to[0] && r.map->from[1] < r.map->to[1])) return "a map of nothing";
+    for (const Section& s : loaded.scenario.sections) {
+      if (s.kind == nullptr) return "a section of no kind";
+      if (const auto* comparison = dynamic_cast<const pmreport::section::ComparisonOptions*>(s.options.get()))
+        for (const pmreport::section::ComparisonRow& row : comparison->rows)
+          if (row.here.columns.empty() == row.here.quantity.empty() || !std::isfinite(row.published) || !(row.tolerance >= 0))
+            return "a comparison of nothing";
+      if (const auto* singularity = dynamic_cast<const pmreport::section::SingularityOptions*>(s.options.get())) {
+        for (const Eigen::VectorXd& q : singularity->poses)
+          if (q.size() != loaded.machine->dof() || !q.allFinite()) return "a pose that is none";
+        const auto& map = singularity->map;
+        if (map && !(map->from[0] < map->to[0] && map->from[1] < map->to[1])) return "a map of nothing";
+      }
     }
   } catch (const ScenarioError& e) {
     if (e.diagnostics.empty()) return "a refusal without a reason";

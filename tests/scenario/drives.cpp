@@ -17,7 +17,7 @@ std::string driven(std::string_view lines) { return with_more("[[section]]\nkind
 std::vector<DriveTrain> drives_of(std::string_view lines) {
   const std::string text = driven(lines);
   INFO(told(text));
-  return load_text(text, "a.toml", stage::source()).scenario.drives;
+  return load_text(text, "a.toml", stage::source(), section::kinds()).scenario.drives;
 }
 std::string told_of(std::string_view lines) { return told(driven(lines)); }
 
@@ -42,7 +42,7 @@ constexpr double pi = std::numbers::pi;
 }  // namespace
 
 TEST_CASE("a scenario without [drive] has no drives") {
-  CHECK(load_text(std::string(sound), "a.toml", stage::source()).scenario.drives.empty());
+  CHECK(load_text(std::string(sound), "a.toml", stage::source(), section::kinds()).scenario.drives.empty());
 }
 
 TEST_CASE("a lead is of the linear actuators, a ratio of the rotary ones, the rest of all") {
@@ -174,7 +174,7 @@ TEST_CASE("a group of motor columns holds those of the motors that are there") {
     const std::string text = driven(drive + "[[check]]\nthat = \"max(abs(motor_torque))\"\nbelow = \"1 N*m\"\n[[check]]\n" +
                                     "that = \"drives.peak_torque\"\nbelow = \"1 N*m\"\n");
     INFO(told(text));
-    const Loaded loaded = load_text(text, "a.toml", stage::source());
+    const Loaded loaded = load_text(text, "a.toml", stage::source(), section::kinds());
     CHECK(loaded.scenario.checks.at(1).quantity == "drives.peak_torque");
     return loaded.scenario.checks.at(0).columns;
   };

@@ -19,7 +19,7 @@ std::string limited(std::string_view lines) { return with_more("[limits]\n" + st
 MotionLimits limits_of(std::string_view lines) {
   const std::string text = limited(lines);
   INFO(told(text));
-  return load_text(text, "a.toml", stage::source()).scenario.limits;
+  return load_text(text, "a.toml", stage::source(), section::kinds()).scenario.limits;
 }
 std::string told_of(std::string_view lines) { return told(limited(lines)); }
 
@@ -31,13 +31,13 @@ Loaded cranked(const std::string& lines) {
       "title = \"Crank\"\n[mechanism]\nuse = \"crank\"\n[[section]]\nkind = \"velocity\"\n[motion]\nduration = \"1 s\"\nsamples = "
       "3\n[limits]\n" +
           lines,
-      "a.toml", crank());
+      "a.toml", crank(), section::kinds());
 }
 
 }  // namespace
 
 TEST_CASE("a scenario without [limits] has none") {
-  const MotionLimits l = load_text(std::string(sound), "a.toml", stage::source()).scenario.limits;
+  const MotionLimits l = load_text(std::string(sound), "a.toml", stage::source(), section::kinds()).scenario.limits;
   CHECK_FALSE(l.any());
   for (const auto* list : {&l.force, &l.speed, &l.power, &l.joint_force, &l.joint_moment}) CHECK(*list == std::vector{none, none});
 }
@@ -135,7 +135,7 @@ TEST_CASE("the feasible speed can be checked where its section is") {
   const std::string check = "[[check]]\nthat = \"speed.scale\"\nabove = 1\n";
   const std::string text = limited("actuator_power = \"5 W\"\n[[section]]\nkind = \"speed\"\n" + check);
   INFO(told(text));
-  const Scenario s = load_text(text, "a.toml", stage::source()).scenario;
+  const Scenario s = load_text(text, "a.toml", stage::source(), section::kinds()).scenario;
   CHECK(s.checks.at(0).quantity == "speed.scale");
   CHECK_FALSE(s.checks.at(0).count);
   CHECK(s.checks.at(0).above == 1.0);

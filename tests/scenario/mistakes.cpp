@@ -233,12 +233,15 @@ TEST_CASE("a file is read up to four mebibytes") {
   std::string text(sound);
   text += "#" + std::string((4u << 20) - text.size() - 1, 'x');
   REQUIRE(text.size() == 4u << 20);
-  CHECK(load(folder.write("fits.toml", text), stage::source()).scenario.title == "Stage");
+  CHECK(load(folder.write("fits.toml", text), stage::source(), section::kinds()).scenario.title == "Stage");
   const auto large = folder.write("large.toml", text + "x");
-  CHECK_THROWS_WITH(load(large, stage::source()), Contains("large.toml: error: expected at most 4 MiB, seen 4194305 bytes"));
-  CHECK_THROWS_WITH(load(folder.path() / "none.toml", stage::source()), Contains("none.toml: error: there is no such file"));
-  CHECK_THROWS_WITH(load(folder.path(), stage::source()), Contains("expected a scenario file, seen a folder"));
-  CHECK_THROWS_WITH(load(folder.write("机构.toml", with("5 deg", "5 mm")), stage::source()), Contains("机构.toml:9:7: error: "));
+  CHECK_THROWS_WITH(load(large, stage::source(), section::kinds()),
+                    Contains("large.toml: error: expected at most 4 MiB, seen 4194305 bytes"));
+  CHECK_THROWS_WITH(load(folder.path() / "none.toml", stage::source(), section::kinds()),
+                    Contains("none.toml: error: there is no such file"));
+  CHECK_THROWS_WITH(load(folder.path(), stage::source(), section::kinds()), Contains("expected a scenario file, seen a folder"));
+  CHECK_THROWS_WITH(load(folder.write("机构.toml", with("5 deg", "5 mm")), stage::source(), section::kinds()),
+                    Contains("机构.toml:9:7: error: "));
 }
 
 TEST_CASE("a file full of mistakes is told up to a hundred") {

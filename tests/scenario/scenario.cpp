@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <reports/section/snapshots/snapshots.hpp>
 #include <tests/scenario/trial.hpp>
 
 using namespace pmreport;
@@ -51,7 +52,7 @@ above = "0 N"
 that = "at( x , 2.5 s )"
 below = "10 mm"
 )toml",
-                                  "a.toml", stage::source());
+                                  "a.toml", stage::source(), section::kinds());
   const Scenario& s = loaded.scenario;
   CHECK(s.title == "A stage – Prüfung 机构");
   CHECK(s.author == "N. N.");
@@ -78,10 +79,10 @@ below = "10 mm"
         "force = (0 N, 10 N, -1 N/s * t)\nmoment = (0 N*m, 10 N*mm, 0 N*m)\ngravity = (0 m/s^2, 9.81 m/s^2, 0 m/s^2)");
 
   REQUIRE(s.sections.size() == 4);
-  CHECK(s.sections[0].kind == "mechanism");
+  CHECK(s.sections[0].kind->name == "mechanism");
   CHECK(s.sections[0].title == "Its parts");
   CHECK(s.sections[0].line == 19);
-  const SectionRequest& snapshots = s.sections[1];
+  const auto& snapshots = options_of<section::SnapshotsOptions>(s.sections[1]);
   CHECK(snapshots.times == std::vector<double>{0, 2.5});
   REQUIRE(snapshots.views.size() == 2);
   CHECK(snapshots.views[0].name == "front");
@@ -108,14 +109,15 @@ below = "10 mm"
 }
 
 TEST_CASE("load and snapshots have sane defaults") {
-  const Loaded loaded = load_text(with("kind = \"displacement\"", "kind = \"snapshots\""), "a.toml", stage::source());
+  const Loaded loaded = load_text(with("kind = \"displacement\"", "kind = \"snapshots\""), "a.toml", stage::source(), section::kinds());
   const Scenario& s = loaded.scenario;
   CHECK(s.load.gravity == Eigen::Vector3d(0, 0, 0));
   CHECK(s.load.description == "no gravity: the bodies are weightless");
   CHECK(s.load.force.size() == loaded.trajectory.time.size());
   REQUIRE(s.sections.size() == 1);
-  CHECK(s.sections[0].times == std::vector<double>{0});
-  REQUIRE(s.sections[0].views.size() == 1);
-  CHECK(s.sections[0].views[0].name == "isometric");
+  const auto& snapshots = options_of<section::SnapshotsOptions>(s.sections[0]);
+  CHECK(snapshots.times == std::vector<double>{0});
+  REQUIRE(snapshots.views.size() == 1);
+  CHECK(snapshots.views[0].name == "isometric");
   CHECK(s.checks.empty());
 }

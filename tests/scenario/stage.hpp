@@ -4,6 +4,7 @@
 
 #include <core/scenario/loaded.hpp>
 #include <pmreport/mechanism.hpp>
+#include <reports/section/kinds.hpp>
 
 namespace stage {
 

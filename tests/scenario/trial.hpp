@@ -32,7 +32,7 @@ inline std::string with_more(std::string_view more) { return std::string(sound) 
 
 inline std::vector<pmreport::scenario::Diagnostic> mistakes(const std::string& text, const std::filesystem::path& file = "a.toml") {
   try {
-    (void)pmreport::scenario::load_text(text, file, stage::source());
+    (void)pmreport::scenario::load_text(text, file, stage::source(), pmreport::section::kinds());
   } catch (const pmreport::scenario::ScenarioError& e) {
     return e.diagnostics;
   }

@@ -1,7 +1,7 @@
 // The gates: reductions worked out by hand, verdicts and their sentences.
 #include <catch2/catch.hpp>
 
-#include <reports/section/section.hpp>
+#include <reports/section/checks.hpp>
 #include <tests/scenario/trial.hpp>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 // x runs from 0 to 20 mm in 20 equal steps.
 std::vector<document::Check> checks(const std::string& more) {
   const std::string text = trial::with("20 mm * sin(2*pi*t/10 s)", "10 mm * t / 1 s") + more;
-  const scenario::Loaded loaded = scenario::load_text(text, "a.toml", stage::source());
+  const scenario::Loaded loaded = scenario::load_text(text, "a.toml", stage::source(), section::kinds());
   return section::evaluate_checks(
       section::Analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}), {});
 }
@@ -57,7 +57,7 @@ TEST_CASE("every report demands reach, limits and regular poses of its motion") 
   for (const auto& c : sound) CHECK(c.passed);
 
   const scenario::Loaded broken =
-      scenario::load_text(trial::with("20 mm * sin(2*pi*t/10 s)", "300 mm * t / 1 s"), "a.toml", stage::source());
+      scenario::load_text(trial::with("20 mm * sin(2*pi*t/10 s)", "300 mm * t / 1 s"), "a.toml", stage::source(), section::kinds());
   const auto demands = section::evaluate_checks(
       section::Analysis(broken.scenario, broken.trajectory, *broken.machine, analysis::asked_by(broken.scenario), {}), {});
   CHECK(demands[0].passed);

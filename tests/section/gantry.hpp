@@ -10,7 +10,7 @@
 
 #include <core/scenario/loaded.hpp>
 #include <pmreport/mechanism.hpp>
-#include <reports/section/section.hpp>
+#include <reports/section/kinds.hpp>
 #include <tests/scenario/only.hpp>
 #include <tests/section/report_words.hpp>
 
@@ -64,7 +64,7 @@ struct Run {
       : loaded(scenario::load_text("title = \"Gantry\"\n[mechanism]\nuse = \"gantry\"\n[motion]\nduration = \"2 s\"\nsamples = 21\n"
                                    "x = \"50 mm * sin(2*pi*t/2 s)\"\n" +
                                        more,
-                                   "a.toml", source())),
+                                   "a.toml", source(), section::kinds())),
         analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
   scenario::Loaded loaded;
   section::Analysis analysis;

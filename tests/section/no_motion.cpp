@@ -1,7 +1,8 @@
 // Reports of scenarios without a motion.
 #include <catch2/catch.hpp>
 
-#include <reports/section/section.hpp>
+#include <reports/section/kinds.hpp>
+#include <reports/section/make_report.hpp>
 #include <tests/scenario/trial.hpp>
 
 using namespace pmreport;
@@ -12,7 +13,7 @@ namespace {
 document::Report report(const std::string& sections) {
   const std::string text = "title = \"Stage\"\n[mechanism]\nuse = \"stage\"\n" + sections;
   INFO(trial::told(text));
-  return section::make_report(scenario::load_text(text, "a.toml", stage::source()), "1", "test", {});
+  return section::make_report(scenario::load_text(text, "a.toml", stage::source(), section::kinds()), "1", "test", {});
 }
 
 }  // namespace

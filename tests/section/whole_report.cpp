@@ -1,4 +1,5 @@
-#include <reports/section/section.hpp>
+#include <reports/section/kinds.hpp>
+#include <reports/section/make_report.hpp>
 #include <tests/scenario/stage.hpp>
 #include <tests/section/gantry.hpp>
 #include <tests/section/whole_report.hpp>
@@ -8,8 +9,8 @@
 namespace whole_report {
 
 document::Report report_of(const std::string& text, const scenario::MechanismSource& source) {
-  const scenario::Loaded loaded = scenario::load_text(text, "a.toml", source);
-  return section::make_report(loaded.scenario, *loaded.machine, "1.2.3", "a build for the tests", {});
+  const scenario::Loaded loaded = scenario::load_text(text, "a.toml", source, section::kinds());
+  return section::make_report(loaded, "1.2.3", "a build for the tests", {});
 }
 
 document::Report of_gantry(const std::string& more) {

@@ -2,7 +2,8 @@
 #include <catch2/catch.hpp>
 
 #include <reports/section/common/words.hpp>
-#include <reports/section/section.hpp>
+#include <reports/section/kinds.hpp>
+#include <reports/section/make_report.hpp>
 #include <tests/scenario/trial.hpp>
 
 using namespace pmreport;
@@ -10,7 +11,7 @@ using namespace pmreport;
 namespace {
 
 std::vector<std::string> reach_sentences(const std::string& text) {
-  const scenario::Loaded loaded = scenario::load_text(text, "a.toml", stage::source());
+  const scenario::Loaded loaded = scenario::load_text(text, "a.toml", stage::source(), section::kinds());
   return section::reach_sentences({loaded.scenario, loaded.trajectory, *loaded.machine, {}, {}});
 }
 
@@ -18,7 +19,7 @@ std::vector<std::string> reach_sentences(const std::string& text) {
 
 TEST_CASE("a broken stroke is told with time, value and limit") {
   const scenario::Loaded loaded =
-      scenario::load_text(trial::with("20 mm * sin(2*pi*t/10 s)", "300 mm * t / 1 s"), "a.toml", stage::source());
+      scenario::load_text(trial::with("20 mm * sin(2*pi*t/10 s)", "300 mm * t / 1 s"), "a.toml", stage::source(), section::kinds());
   const section::Analysis a(loaded.scenario, loaded.trajectory, *loaded.machine, {}, {});
   REQUIRE(a.breaches().size() == 1);
   CHECK(section::sentence(a, a.breaches()[0]) ==

@@ -1,10 +1,6 @@
 #include <core/analysis/samples/force_columns.hpp>
 
-#include <core/scenario/section/columns.hpp>
-
-#include <fmt/core.h>
-
-#include <algorithm>
+#include <core/analysis/columns.hpp>
 
 namespace pmreport::analysis {
 
@@ -23,16 +19,14 @@ ForceColumns::ForceColumns(const Topology& t, const std::function<double*(const 
     OfJoint columns{find(j.name + "_force"), find(j.name + "_moment"), {}, {}};
     for (int c = 0; c < 6; ++c) {
       const auto at = static_cast<std::size_t>(c);
-      columns.joint_axes[at] = find(mechanics::reaction_column(j, c, false));
-      columns.base_axes[at] = find(mechanics::reaction_column(j, c, true));
+      columns.joint_axes[at] = find(reaction_column(j, c, false));
+      columns.base_axes[at] = find(reaction_column(j, c, true));
     }
     joints.push_back(columns);
   }
-  int limb_count = 0;
-  for (const Body& b : t.bodies) limb_count = std::max(limb_count, b.limb);
-  for (int limb = 1; limb <= limb_count; ++limb) {
+  for (int limb = 1; limb <= limbs_of(t); ++limb) {
     std::array<double*, 6> columns{};
-    for (std::size_t c = 0; c < 6; ++c) columns[c] = find(fmt::format("limb{}_{}_{}", limb, c < 3 ? "force" : "moment", "xyz"[c % 3]));
+    for (std::size_t c = 0; c < 6; ++c) columns[c] = find(limb_column(limb, static_cast<int>(c)));
     limbs.push_back(columns);
   }
 }

@@ -1,11 +1,11 @@
 #include <core/analysis/samples/sample_work.hpp>
 
+#include <core/analysis/columns.hpp>
 #include <core/analysis/conditioning.hpp>
 #include <core/mechanics/model/differences.hpp>
 #include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/statics/statics.hpp>
-#include <core/scenario/section/columns.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +80,7 @@ void SampleWork::kinematics(const Put& put, const mechanics::ClosedForm& c) {
   for (std::size_t i = 0; i < t.joints.size(); ++i) {
     if (t.joints[i].kind == JointKind::prismatic) continue;
     const std::vector<double> motion = closure_.motion(state_.bodies, static_cast<int>(i));
-    for (std::size_t n = 0; n < motion.size(); ++n) put(mechanics::joint_column(t.joints[i], n), motion[n]);
+    for (std::size_t n = 0; n < motion.size(); ++n) put(joint_column(t.joints[i], n), motion[n]);
   }
 }
 
@@ -109,7 +109,9 @@ void SampleWork::prove_rates(Row& row, const mechanics::ClosedForm& c, const mec
 // The guess lies towards the neighbouring sample, at most a tenth of the characteristic length, or 0.1 rad, away; nearer next to a singular
 // pose, beyond which another assembly mode has the same actuator values.
 double SampleWork::round_trip(int sample, int previous, double condition) {
-  const auto unit = [&](int i) { return mechanics::size_of(machine_.topology().coordinates[static_cast<std::size_t>(i)].sense(), length_); };
+  const auto unit = [&](int i) {
+    return mechanics::size_of(machine_.topology().coordinates[static_cast<std::size_t>(i)].sense(), length_);
+  };
   const Eigen::VectorXd q = trajectory_.value.row(sample);
   Eigen::VectorXd neighbour = trajectory_.value.row(previous);
   if (!neighbour.allFinite()) neighbour = q;

@@ -1,6 +1,5 @@
 #include <core/analysis/study/joint_loads.hpp>
 
-
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -70,7 +69,7 @@ void find_cone(const Analysis& a, const Joint& joint, JointLoad& load) {
 }  // namespace
 
 double component(const Analysis& a, const Joint& joint, int c, int sample) {
-  return mechanics::transmits(joint.kind, c) ? a.column(mechanics::reaction_column(joint, c, false))[static_cast<std::size_t>(sample)] : 0;
+  return transmits(joint.kind, c) ? a.column(reaction_column(joint, c, false))[static_cast<std::size_t>(sample)] : 0;
 }
 
 std::vector<JointLoad> joint_loads(const Analysis& a) {
@@ -88,8 +87,7 @@ std::vector<JointLoad> joint_loads(const Analysis& a) {
     if (load.force.peak <= nothing * force) load.force = {};
     if (load.moment.peak <= nothing * moment) load.moment = {};
     for (int c = 0; c < 6; ++c)
-      if (mechanics::transmits(t.joints[j].kind, c))
-        load.doubtful = static_cast<Indeterminate>(load.doubtful | (a.indeterminate()[j] & 1 << c));
+      if (transmits(t.joints[j].kind, c)) load.doubtful = static_cast<Indeterminate>(load.doubtful | (a.indeterminate()[j] & 1 << c));
     if (load.force.sample >= 0) find_cone(a, t.joints[j], load);
   }
   return out;

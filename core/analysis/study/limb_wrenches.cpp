@@ -1,5 +1,5 @@
-#include <core/mechanics/statics/statics.hpp>
 #include <core/analysis/study/limb_wrenches.hpp>
+#include <core/mechanics/statics/statics.hpp>
 
 #include <core/mechanics/mobility/wrench_system.hpp>
 #include <core/mechanics/model/closed_form.hpp>
@@ -34,7 +34,7 @@ Vector6d beside_limbs(const Analysis& a, const mechanics::State& state, int samp
     const Joint& joint = t.joints[j];
     if (!is_beside_limbs(t, joint)) continue;
     Vector6d w = Vector6d::Zero();
-    for (int c = 0; c < (joint.kind == JointKind::spherical ? 3 : 6); ++c) w(c) = a.column(mechanics::reaction_column(joint, c, true))[k];
+    for (int c = 0; c < (joint.kind == JointKind::spherical ? 3 : 6); ++c) w(c) = a.column(reaction_column(joint, c, true))[k];
     for (const Actuator& x : t.actuators)
       if (x.joint == static_cast<int>(j))
         w.segment<3>(x.unit == "m" ? 0 : 3) += a.column(x.name + "_dynamic_force")[k] * state.joints[j].axis[0];
@@ -49,8 +49,6 @@ void take(JointLoad::Size& largest, double x, int sample) {
 }
 
 }  // namespace
-
-std::string limb_column(int limb, int c) { return fmt::format("limb{}_{}_{}", limb, c < 3 ? "force" : "moment", "xyz"[c % 3]); }
 
 LimbWrenches::LimbWrenches(const Analysis& a, const std::vector<int>& checked) : a_(a) {
   const Topology& t = a.machine().topology();

@@ -18,7 +18,6 @@
 namespace pmreport::analysis {
 
 // Column of component c (0-2 force, 3-5 moment about the reference point) of the wrench of a limb on the platform: "limb2_moment_x".
-std::string limb_column(int limb, int c);
 
 class LimbWrenches {
  public:

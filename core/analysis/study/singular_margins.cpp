@@ -34,7 +34,7 @@ AlongMotion along_motion(const Analysis& a, double length) {
 }
 
 // A row of the map is placed at once, so that the geometry runs on several poses at a time.
-SingularityGrid singularity_grid(const mechanics::Machine& m, const scenario::MapRequest& r, double length) {
+SingularityGrid singularity_grid(const mechanics::Machine& m, const PoseMap& r, double length) {
   const auto n = static_cast<std::size_t>(r.points);
   SingularityGrid grid{std::vector<double>(n * n, nan), std::vector<double>(n * n, nan)};
   tbb::parallel_for(std::size_t{0}, n, [&](std::size_t row) {

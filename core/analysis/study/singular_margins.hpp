@@ -14,12 +14,20 @@ struct AlongMotion {
 };
 AlongMotion along_motion(const Analysis& a, double length);
 
+// Poses over two coordinates.
+struct PoseMap {
+  int coordinate[2] = {0, 1};  // indices
+  double from[2] = {0, 0}, to[2] = {0, 0};
+  Eigen::VectorXd at;  // the other coordinates; home unless given
+  int points = 61;     // along each
+};
+
 // det G^ and its smallest singular value, which takes the sign of det G^, over the map, row by row: `points` poses a row, the first
-// coordinate rising along it. NaN: out of reach. `request.at` must be as long as the coordinates.
+// coordinate rising along it. NaN: out of reach. `map.at` must be as long as the coordinates.
 struct SingularityGrid {
   std::vector<double> determinant, smallest;
   int reachable = 0, negative = 0;  // poses
 };
-SingularityGrid singularity_grid(const mechanics::Machine& m, const scenario::MapRequest& request, double length);
+SingularityGrid singularity_grid(const mechanics::Machine& m, const PoseMap& map, double length);
 
 }  // namespace pmreport::analysis

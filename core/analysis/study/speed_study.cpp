@@ -34,7 +34,7 @@ MatrixXd reactions_in_motion(const Analysis& a) {
   MatrixXd out = MatrixXd::Zero(a.samples(), 6 * static_cast<Index>(joints.size()));
   for (std::size_t j = 0; j < joints.size(); ++j)
     for (int c = 0; c < 6; ++c)
-      if (const std::string name = mechanics::reaction_column(joints[j], c, true); a.has(name))
+      if (const std::string name = analysis::reaction_column(joints[j], c, true); a.has(name))
         out.col(6 * static_cast<Index>(j) + c) = Eigen::Map<const Eigen::VectorXd>(a.column(name).data(), a.samples());
   return out;
 }

@@ -134,7 +134,7 @@ const std::vector<Value>* Reader::list(const Value& v, std::size_t count, std::s
 }
 
 const Entry* TableReader::find(std::string_view key) {
-  known_.emplace_back(key);
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
   const auto found = std::find_if(table_.entries.begin(), table_.entries.end(), [&](const Entry& e) { return e.key == key; });
   return found != table_.entries.end() ? &*found : nullptr;
 }

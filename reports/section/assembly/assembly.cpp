@@ -1,7 +1,7 @@
 // Section `assembly`: every pose that the actuator values of one moment allow, and how near the motion comes to another of them.
+#include <reports/section/assembly/assembly.hpp>
 #include <reports/section/common/plots.hpp>
 #include <reports/section/common/words.hpp>
-#include <reports/section/section.hpp>
 
 #include <core/mechanics/assembly/follow.hpp>
 #include <core/text/text.hpp>
@@ -83,7 +83,7 @@ document::Gallery pictures(const Analysis& a, const AssemblyModes& found, const 
   if (n < found.modes.size()) g.caption += fmt::format(" The {} nearest of {} modes are shown.", n, found.modes.size());
   scene::Bounds bounds;
   for (std::size_t k = 0; k < n; ++k) scene::include(bounds, *found.words[found.modes[k].word].machine, found.modes[k].pose);
-  const scenario::View view{"isometric", 45 * std::numbers::pi / 180, std::atan(1 / std::numbers::sqrt2)};
+  const View view{"isometric", 45 * std::numbers::pi / 180, std::atan(1 / std::numbers::sqrt2)};
   scene::Extras extras;
   extras.labels = false;
   std::vector<Stage::Ordered> ordered;
@@ -262,7 +262,7 @@ class Along {  // the motion, and the modes that accompany it
 
 }  // namespace
 
-Result assembly_section(const Analysis& a, const scenario::SectionRequest& r, const Stage& stage, const Progress& progress) {
+Result assembly_section(const Analysis& a, const AssemblyOptions& r, const Stage& stage, const Progress& progress) {
   Result result{{"assembly", "assembly", "Assembly modes", {}}, {}, {}, {}};
   auto& blocks = result.section.blocks;
   const mechanics::Machine& m = a.machine();

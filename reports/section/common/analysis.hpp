@@ -6,6 +6,8 @@
 namespace pmreport::section {
 
 using analysis::Analysis;
+using analysis::Column;
+using analysis::ColumnList;
 using analysis::Crossing;
 using analysis::LimitBreach;
 using analysis::Measure;

@@ -9,8 +9,6 @@
 
 namespace pmreport::section {
 
-using mechanics::Column;
-
 namespace {
 // SI. What is smaller is the rounding of sums that vanish: figures and tables show zero, data files the number.
 constexpr double rounding = 1e-13;
@@ -44,14 +42,14 @@ figure::Panel panel(const Analysis& a, const std::string& title, const std::stri
   return p;
 }
 
-std::vector<Trace> group(const Analysis& a, const std::string& section, const std::string& name, const std::string& unit) {
+std::vector<Trace> group(const Analysis& a, ColumnList* list, const std::string& name, const std::string& unit) {
   std::vector<Trace> out;
   const bool vector = name == "velocity" || name == "angular_velocity" || name == "acceleration" || name == "angular_acceleration";
-  for (const Column& c : a.columns_of(section)) {
+  for (const Column& c : a.columns_of(list)) {
     if (c.group != name || (!unit.empty() && c.unit != (unit == "1" ? "" : unit))) continue;
     std::string stem = vector ? c.name.substr(c.name.size() - 1) : c.name;  // a vector's components are labelled by their axes
     for (const std::string_view suffix : {"_rate", "_acceleration", "_dynamic_force", "_force", "_deflection", "_angle"})
-      if (stem.ends_with(suffix)) stem.resize(stem.size() - suffix.size());
+      if (stem.ends_with(suffix)) stem.erase(stem.size() - suffix.size());
     out.push_back({c.name, symbol(stem)});
   }
   // x, y, z and alpha, beta, gamma in this order, whichever of them is the dependent one.
@@ -102,9 +100,9 @@ document::Proof proof(const Analysis& a, const std::vector<Claim>& claims) {
   return p;
 }
 
-document::Data data_of(const Analysis& a, const std::string& section) {
-  document::Data d{section, {"t [s]"}, {a.time()}};
-  for (const Column& c : a.columns_of(section)) {
+document::Data data_of(const Analysis& a, const std::string& name, ColumnList* list) {
+  document::Data d{name, {"t [s]"}, {a.time()}};
+  for (const Column& c : a.columns_of(list)) {
     d.headings.push_back(c.unit.empty() ? c.name : fmt::format("{} [{}]", c.name, c.unit));
     d.columns.push_back(a.column(c.name));
   }

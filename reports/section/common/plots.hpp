@@ -16,11 +16,11 @@ struct Trace {
 // A panel of columns with one SI unit, scaled to the unit that reads best; samples that break a limit are shaded, gaps kept.
 figure::Panel panel(const Analysis& a, const std::string& title, const std::string& axis, const std::string& unit,
                     const std::vector<Trace>& curves);
-// The curves of a group of columns, labelled by the symbols of their quantities: "l1_rate" by l₁. `unit`: only those of it, "1" those
-// without one; empty: all.
-std::vector<Trace> group(const Analysis& a, const std::string& section, const std::string& name, const std::string& unit = "");
+// The curves of a group of the columns of a list, labelled by the symbols of their quantities: "l1_rate" by l₁. `unit`: only those of it,
+// "1" those without one; empty: all.
+std::vector<Trace> group(const Analysis& a, ColumnList* list, const std::string& name, const std::string& unit = "");
 // Smallest and largest value of columns and when, as a table.
-document::Table extremes(const Analysis& a, const std::string& caption, const std::vector<mechanics::Column>& columns);
+document::Table extremes(const Analysis& a, const std::string& caption, const std::vector<Column>& columns);
 
 struct Claim {
   Measure measure;
@@ -30,6 +30,6 @@ struct Claim {
 };
 document::Proof proof(const Analysis& a, const std::vector<Claim>& claims);
 
-document::Data data_of(const Analysis& a, const std::string& section);
+document::Data data_of(const Analysis& a, const std::string& name, ColumnList* list);
 
 }  // namespace pmreport::section

@@ -1,7 +1,8 @@
 // Section `comparison`: numbers of this report against published ones.
 #include <reports/document/quantity.hpp>
+#include <reports/section/checks.hpp>
 #include <reports/section/common/words.hpp>
-#include <reports/section/section.hpp>
+#include <reports/section/comparison/comparison.hpp>
 
 #include <fmt/core.h>
 
@@ -11,7 +12,6 @@
 namespace pmreport::section {
 
 using document::Paragraph;
-using scenario::ComparisonRow;
 
 namespace {
 
@@ -109,7 +109,7 @@ std::string sentence(const std::vector<Judged>& all, const std::string& source) 
 
 }  // namespace
 
-Result comparison_section(const Analysis& a, const scenario::SectionRequest& r, const std::vector<document::Value>& values) {
+Result comparison_section(const Analysis& a, const ComparisonOptions& r, const std::vector<document::Value>& values) {
   Result out{{"comparison", "comparison", "Comparison with published values", {}}, {}, {}, {}};
   std::vector<Judged> all;
   for (const ComparisonRow& row : r.rows) all.push_back(judge(a, row, values));

@@ -1,7 +1,6 @@
 // Section `drives`.
 #include <reports/section/common/force_plots.hpp>
 #include <reports/section/drives/drives.hpp>
-#include <reports/section/section.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,9 @@
-// The parts of the section `drives`.
+// Section `drives`, and its parts.
 #pragma once
 
 #include <core/analysis/study/drive_balance.hpp>
 #include <core/mechanics/dynamics/drive.hpp>
-#include <reports/document/report.hpp>
-#include <reports/section/common/analysis.hpp>
+#include <reports/section/kind.hpp>
 
 #include <numbers>
 #include <string>
@@ -19,6 +18,8 @@ const mechanics::DriveTrain& train(const Analysis& a, std::size_t actuator);
 using analysis::driven_back;
 using analysis::has_motor;
 bool any_motor(const Analysis& a);
+
+Result drives_section(const Analysis& a);
 
 std::vector<document::Paragraph> drive_words(const Analysis& a);
 std::vector<figure::Figure> drive_figures(const Analysis& a);

@@ -3,8 +3,8 @@
 #include <core/analysis/study/motion_work.hpp>
 #include <reports/section/common/force_plots.hpp>
 #include <reports/section/common/words.hpp>
+#include <reports/section/dynamics/dynamics.hpp>
 #include <reports/section/dynamics/dynamics_words.hpp>
-#include <reports/section/section.hpp>
 
 #include <fmt/core.h>
 
@@ -215,7 +215,7 @@ document::Proof evidence(const Analysis& a, const std::optional<analysis::Motion
 
 }  // namespace
 
-Result dynamics_section(const Analysis& a, const scenario::SectionRequest& r) {
+Result dynamics_section(const Analysis& a, const DynamicsOptions& r) {
   document::Section s{"dynamics", "dynamics", "Dynamics", {}};
   for (const std::string& line : singularity_sentences(a)) s.blocks.push_back(Paragraph{Paragraph::Tone::warning, line});
   for (Paragraph& p : dynamics_words(a)) s.blocks.push_back(std::move(p));

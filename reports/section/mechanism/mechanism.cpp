@@ -2,7 +2,7 @@
 #include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/model/joint_words.hpp>
 #include <reports/section/common/words.hpp>
-#include <reports/section/section.hpp>
+#include <reports/section/mechanism/mechanism.hpp>
 
 #include <fmt/core.h>
 
@@ -100,7 +100,7 @@ Table mobility(const mechanics::Mobility& m, int idle) {
 
 }  // namespace
 
-document::Section mechanism_section(const Analysis& a, const Stage& stage) {
+Result mechanism_section(const Analysis& a, const Stage& stage) {
   const mechanics::Machine& m = a.machine();
   const mechanics::Mobility& mob = a.mobility();
   document::Section s{"mechanism", "mechanism", "Mechanism", {}};
@@ -119,7 +119,7 @@ document::Section mechanism_section(const Analysis& a, const Stage& stage) {
   p.lines.push_back({"The count agrees with the rank", "Grübler–Kutzbach with the redundant constraints that the rank shows",
                      std::abs(double(mob.gruebler + mob.redundant - mob.freedoms)), 0, ""});
   s.blocks.push_back(p);
-  return s;
+  return {s};
 }
 
 }  // namespace pmreport::section

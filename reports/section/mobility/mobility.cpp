@@ -7,7 +7,6 @@
 #include <core/mechanics/singularity/singularity.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/mobility/mobility.hpp>
-#include <reports/section/section.hpp>
 
 #include <fmt/core.h>
 #include <tbb/parallel_for.h>
@@ -144,7 +143,7 @@ MobilityAt mobility_at(const mechanics::Machine& machine, const mechanics::State
   return at;
 }
 
-Result mobility_section(const Analysis& a, const scenario::SectionRequest& r) {
+Result mobility_section(const Analysis& a, const MobilityOptions& r) {
   const mechanics::Machine& machine = a.machine();
   const Topology& t = machine.topology();
   const mechanics::State home_state = state_at_rest(machine, machine.home());

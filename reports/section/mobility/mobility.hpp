@@ -1,11 +1,17 @@
-// The parts of section `mobility`.
+// Section `mobility`, and its parts.
 #pragma once
 
 #include <core/mechanics/mobility/mobility.hpp>
-#include <reports/document/report.hpp>
 #include <reports/section/common/screw_words.hpp>
+#include <reports/section/kind.hpp>
 
 namespace pmreport::section {
+
+struct MobilityOptions : scenario::Options {
+  int random_poses = 100;
+};
+
+Result mobility_section(const Analysis& a, const MobilityOptions& r);
 
 // Everything that the section compares from pose to pose.
 struct MobilityAt {

@@ -136,7 +136,7 @@ Table component_table(const Analysis& a, const std::vector<JointLoad>& loads) {
     for (int c = 0; c < 6; ++c) {
       const DisplayUnit& unit = c < 3 ? force : moment;
       const double x = rounded(component(a, joint, c, sample), c < 3 ? loads[j].force.peak : loads[j].moment.peak);
-      row.push_back(mechanics::transmits(joint.kind, c) ? number(x, unit, (loads[j].doubtful >> c & 1) != 0) : "·");
+      row.push_back(analysis::transmits(joint.kind, c) ? number(x, unit, (loads[j].doubtful >> c & 1) != 0) : "·");
     }
     table.rows.push_back(std::move(row));
   };

@@ -3,6 +3,7 @@
 #include <reports/section/common/limits.hpp>
 #include <reports/section/common/plots.hpp>
 #include <reports/section/common/words.hpp>
+#include <reports/section/dynamics/dynamics.hpp>
 #include <reports/section/mobility/mobility.hpp>
 #include <reports/section/reactions/reactions.hpp>
 
@@ -31,14 +32,14 @@ struct Count {
 Count count(const Analysis& a, const std::vector<JointLoad>& loads) {
   Count n;
   for (std::size_t j = 0; j < loads.size(); ++j) {
-    for (int c = 0; c < 6; ++c) n.components += mechanics::transmits(a.machine().topology().joints[j].kind, c);
+    for (int c = 0; c < 6; ++c) n.components += analysis::transmits(a.machine().topology().joints[j].kind, c);
     n.doubtful += bits(loads[j].doubtful);
   }
   return n;
 }
 
 std::string definition(const Analysis& a) {
-  const bool dynamics = a.scenario().asks_for("dynamics");
+  const bool dynamics = a.scenario().asks_for(dynamics_kind());
   return fmt::format(
       "The reaction of a joint is the wrench that its body a exerts on its body b: a force and a moment about the joint's centre, by "
       "Newton "
@@ -78,7 +79,7 @@ void add_stresses(document::Section& s, const Analysis& a, int sample) {
 // Sizes of forces or moments against time, a panel for each limb.
 class JointFigure {
  public:
-  JointFigure(const Analysis& a, const std::vector<JointLoad>& loads, const scenario::SectionRequest& request, bool moment)
+  JointFigure(const Analysis& a, const std::vector<JointLoad>& loads, const ReactionsOptions& request, bool moment)
       : a_(a), loads_(loads), moment_(moment) {
     for (int j = 0; j < static_cast<int>(loads.size()); ++j) {
       const bool asked = request.joints.empty() || std::find(request.joints.begin(), request.joints.end(), j) != request.joints.end();
@@ -200,7 +201,7 @@ document::Evidence stresses_in_balance(const Analysis& a, const std::vector<int>
 
 }  // namespace
 
-Result reactions_section(const Analysis& a, const scenario::SectionRequest& request) {
+Result reactions_section(const Analysis& a, const ReactionsOptions& request) {
   Result out{{"reactions", "reactions", "Joint reactions", {}}, {}, {}, {}};
   document::Section& s = out.section;
   const auto tell = [&](const std::string& text, Paragraph::Tone tone = Paragraph::Tone::plain) {

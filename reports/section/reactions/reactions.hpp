@@ -1,9 +1,7 @@
-// The parts of section `reactions`.
+// Section `reactions`, and its parts.
 #pragma once
 
-#include <reports/document/report.hpp>
-#include <reports/section/common/analysis.hpp>
-#include <reports/section/section.hpp>
+#include <reports/section/kind.hpp>
 
 #include <core/analysis/study/joint_loads.hpp>
 #include <core/analysis/study/limb_wrenches.hpp>
@@ -14,6 +12,12 @@
 #include <vector>
 
 namespace pmreport::section {
+
+struct ReactionsOptions : scenario::Options {
+  std::vector<int> joints;  // whose reactions are drawn; empty: those with the largest
+};
+
+Result reactions_section(const Analysis& a, const ReactionsOptions& request);
 
 // A component, or a joint, whose value is not determined by rigid bodies: the mark beside its least-norm value.
 inline constexpr const char* least_norm_mark = "†";

@@ -1,7 +1,6 @@
 // Section `singularity`: how far the motion stays from a loss of control, where it is lost, of which type, and how the platform escapes.
 #include <reports/section/common/plots.hpp>
 #include <reports/section/common/words.hpp>
-#include <reports/section/section.hpp>
 #include <reports/section/singularity/singularity.hpp>
 
 #include <fmt/core.h>
@@ -150,7 +149,7 @@ document::Proof proof_of(const std::vector<ExaminedPose>& poses, double length) 
 
 // The pose with its escape, framed so that the whole axis shows.
 Stage::Ordered portrait(const mechanics::Machine& m, const ExaminedPose& p, double length, const Stage& stage, std::size_t number) {
-  static const scenario::View isometric{"isometric", std::numbers::pi / 4, std::atan(1 / std::numbers::sqrt2)};
+  static const View isometric{"isometric", std::numbers::pi / 4, std::atan(1 / std::numbers::sqrt2)};
   const mechanics::Pose pose = m.pose({p.at.coordinates.data(), static_cast<std::size_t>(p.at.coordinates.size())});
   const mechanics::Screw e = escape_screw(m.topology(), p, length);
   scene::Extras extras;
@@ -167,7 +166,7 @@ Stage::Ordered portrait(const mechanics::Machine& m, const ExaminedPose& p, doub
 
 }  // namespace
 
-Result singularity_section(const Analysis& a, const scenario::SectionRequest& r, const Stage& stage, const Progress& progress) {
+Result singularity_section(const Analysis& a, const SingularityOptions& r, const Stage& stage, const Progress& progress) {
   const mechanics::Machine& m = a.machine();
   const double length = r.length.value_or(a.length());
   const AlongMotion along = along_motion(a, length);

@@ -1,17 +1,28 @@
-// The parts of section `singularity`.
+// Section `singularity`, and its parts.
 #pragma once
 
 #include <core/analysis/study/singular_margins.hpp>
 #include <core/mechanics/singularity/singularity.hpp>
-#include <reports/document/report.hpp>
 #include <reports/section/common/screw_words.hpp>
+#include <reports/section/common/stage.hpp>
+#include <reports/section/kind.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace pmreport::section {
 
 using analysis::along_motion;
 using analysis::AlongMotion;
+using MapOptions = analysis::PoseMap;
+
+struct SingularityOptions : scenario::Options {
+  std::optional<double> length;        // [m] makes moments comparable with forces; default: the characteristic length
+  std::vector<Eigen::VectorXd> poses;  // coordinates, besides those of the motion
+  std::optional<MapOptions> map;
+};
+
+Result singularity_section(const Analysis& a, const SingularityOptions& r, const Stage& stage, const Progress& progress);
 
 // A pose that the section looks at closely.
 struct ExaminedPose {
@@ -36,6 +47,6 @@ struct SingularityMap {
   document::Data data;
   int reachable = 0, all = 0, negative = 0;
 };
-SingularityMap singularity_map(const Analysis& a, const scenario::MapRequest& request, double length);
+SingularityMap singularity_map(const Analysis& a, const MapOptions& request, double length);
 
 }  // namespace pmreport::section

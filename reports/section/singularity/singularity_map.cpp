@@ -12,7 +12,7 @@ namespace pmreport::section {
 namespace {
 
 // The motion over the map; dashed where it is only projected, for its other coordinates are not those of the map.
-std::optional<figure::Series> trace(const Analysis& a, const scenario::MapRequest& r, const double per_si[2]) {
+std::optional<figure::Series> trace(const Analysis& a, const MapOptions& r, const double per_si[2]) {
   const Eigen::MatrixXd& q = a.trajectory().value;
   figure::Series s{"motion", {}, {}, 0};
   bool moves = false;
@@ -30,9 +30,9 @@ std::optional<figure::Series> trace(const Analysis& a, const scenario::MapReques
 
 }  // namespace
 
-SingularityMap singularity_map(const Analysis& a, const scenario::MapRequest& request, double length) {
+SingularityMap singularity_map(const Analysis& a, const MapOptions& request, double length) {
   const mechanics::Machine& m = a.machine();
-  scenario::MapRequest r = request;
+  MapOptions r = request;
   if (r.at.size() == 0) r.at = m.home();
   const analysis::SingularityGrid grid = analysis::singularity_grid(m, r, length);
   const auto n = static_cast<std::size_t>(r.points);

@@ -1,14 +1,15 @@
-// The parts of section `speed`.
+// Section `speed`, and its parts.
 #pragma once
 
 #include <core/analysis/study/speed_study.hpp>
-#include <reports/document/report.hpp>
-#include <reports/section/common/analysis.hpp>
+#include <reports/section/kind.hpp>
 
 #include <string>
 #include <vector>
 
 namespace pmreport::section {
+
+Result speed_section(const Analysis& a);
 
 // With four digits, rounded so that a motion of the speed, or the duration, that a reader takes from it keeps the limit.
 std::string speed_words(double scale);       // down: "1.643"

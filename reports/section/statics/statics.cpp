@@ -1,7 +1,7 @@
 // Section `statics`.
 #include <reports/section/common/plots.hpp>
 #include <reports/section/common/words.hpp>
-#include <reports/section/section.hpp>
+#include <reports/section/statics/statics.hpp>
 
 #include <fmt/core.h>
 
@@ -9,7 +9,7 @@ namespace pmreport::section {
 
 using document::Paragraph;
 
-document::Section statics_section(const Analysis& a) {
+Result statics_section(const Analysis& a) {
   document::Section s{"statics", "statics", "Statics", {}};
   const Eigen::Vector3d& g = a.scenario().load.gravity;
   for (const std::string& line : singularity_sentences(a)) s.blocks.push_back(Paragraph{Paragraph::Tone::warning, line});
@@ -27,12 +27,12 @@ document::Section statics_section(const Analysis& a) {
   figure::Figure f{"statics", "Actuator forces and constraint wrenches.", "data/statics.csv", figure::Width::full, 2, {}};
   for (const auto& [name, title] : {std::pair<std::string, std::string>{"actuator_force", "actuator"}, {"constraint", "constraint"}})
     for (const std::string unit : {"N", "N*m"}) {
-      const std::vector<Trace> curves = group(a, "statics", name, unit);
+      const std::vector<Trace> curves = group(a, analysis::statics_columns, name, unit);
       const std::string kind = unit == "N" ? "force" : "moment";
       if (!curves.empty()) f.panels.push_back(panel(a, title + " " + kind, kind, unit, curves));
     }
   s.blocks.push_back(f);
-  s.blocks.push_back(extremes(a, "Extremes over the motion.", mechanics::columns_of("statics", a.machine().topology())));
+  s.blocks.push_back(extremes(a, "Extremes over the motion.", analysis::statics_columns(a.machine().topology())));
   s.blocks.push_back(
       proof(a, {{Measure::statics, "Closed form equals the generic model",
                  "actuator forces by G (and the weights by virtual work) against the equilibrium of every body, relative", 1e-8, ""},
@@ -40,7 +40,7 @@ document::Section statics_section(const Analysis& a) {
                  "largest unbalanced force or moment of the generic model, relative to the largest load", 1e-8, ""},
                 {Measure::power, "Virtual power balances", "power of actuators, load and weights over the motion, relative to the largest",
                  1e-8, ""}}));
-  return s;
+  return {s};
 }
 
 }  // namespace pmreport::section

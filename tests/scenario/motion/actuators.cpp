@@ -22,7 +22,7 @@ std::string moving(std::string_view motion, std::string_view parameters = "depen
 }
 Loaded loaded(const std::string& text, const std::filesystem::path& file = "a.toml") {
   INFO(told(text, file));
-  return load_text(text, file, stage::source());
+  return load_text(text, file, stage::source(), section::kinds());
 }
 
 }  // namespace
@@ -161,7 +161,7 @@ scenario::MechanismSource crank() {
 }
 Loaded cranked(const std::string& motion) {
   return load_text("title = \"Crank\"\n[mechanism]\nuse = \"crank\"\n[[section]]\nkind = \"velocity\"\n[motion]\n" + motion, "a.toml",
-                   crank());
+                   crank(), section::kinds());
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ std::string forced(std::string_view motion, std::string_view forces, std::string
          " }\n[[section]]\nkind = \"displacement\"\n[motion]\nfrom = \"forces\"\nduration = \"2 s\"\nsamples = 21\n" + std::string(motion) +
          "[motion.forces]\n" + std::string(forces) + std::string(more);
 }
-Loaded loaded(const std::string& text) { return load_text(text, "a.toml", stage::source()); }
+Loaded loaded(const std::string& text) { return load_text(text, "a.toml", stage::source(), section::kinds()); }
 
 // Steps err by 1e-10 of what they advance, and a few hundred add up.
 constexpr double integrated = 1e-8;

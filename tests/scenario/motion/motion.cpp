@@ -18,7 +18,7 @@ struct Motion : mechanics::Trajectory {
 };
 Motion motion_of(const std::string& text, const std::filesystem::path& file = "a.toml") {
   INFO(told(text, file));
-  const Loaded l = load_text(text, file, stage::source());  // a prescribed path asks no machine: it may outlive it
+  const Loaded l = load_text(text, file, stage::source(), section::kinds());  // a prescribed path asks no machine: it may outlive it
   return {l.trajectory, l.scenario.motion->description};
 }
 

@@ -1,5 +1,6 @@
 // Scenarios without [motion]: what may leave it out, and what may not.
 #include <catch2/catch.hpp>
+#include <reports/section/kinds.hpp>
 #include <tests/scenario/trial.hpp>
 
 using namespace pmreport;
@@ -22,12 +23,12 @@ TEST_CASE("sections of what is no motion need none") {
         "kind = \"singularity\"\nmap = { x = [\"-1 mm\", \"1 mm\"], phi = [\"-1 deg\", \"1 deg\"] }\n"}) {
     const std::string text = still(section);
     INFO(section << told(text));
-    const Loaded l = load_text(text, "a.toml", stage::source());
+    const Loaded l = load_text(text, "a.toml", stage::source(), section::kinds());
     CHECK_FALSE(l.scenario.motion);
     CHECK(l.trajectory.samples() == 0);
     CHECK(l.scenario.load.force.empty());
   }
-  CHECK(load_text(still("kind = \"snapshots\"\n"), "a.toml", stage::source()).scenario.sections[0].times.empty());
+  CHECK(load_text(still("kind = \"snapshots\"\n"), "a.toml", stage::source(), section::kinds()).scenario.sections[0].times.empty());
 }
 
 TEST_CASE("a section that shows the motion needs one") {

@@ -2,7 +2,7 @@
 // distance r, fits the lever at theta and at -theta, l^2 = r^2 + d^2 - 2 r d cos(theta), and at no other angle.
 #include <catch2/catch.hpp>
 
-#include <reports/section/section.hpp>
+#include <reports/section/assembly/assembly.hpp>
 #include <tests/section/gantry.hpp>
 
 #include <cmath>
@@ -69,9 +69,9 @@ struct Run {
   Run()
       : loaded(scenario::load_text("title = \"Lever\"\n[mechanism]\nuse = \"lever\"\n[motion]\nduration = \"2 s\"\nsamples = 21\n"
                                    "theta = \"40 deg + 10 deg * sin(2*pi*t/2 s)\"\n[[section]]\nkind = \"assembly\"\n",
-                                   "a.toml", source())),
+                                   "a.toml", source(), section::kinds())),
         analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
-  section::Result assembly(const scenario::SectionRequest& request) {
+  section::Result assembly(const section::AssemblyOptions& request) {
     scene::Studio studio;
     return section::assembly_section(analysis, request, section::Stage(analysis, studio), {});
   }
@@ -131,7 +131,7 @@ TEST_CASE("along the motion the other mode comes nearest where the lever is lowe
 
 TEST_CASE("values given for the actuators are used instead of the motion's") {
   Run run;
-  scenario::SectionRequest request;
+  section::AssemblyOptions request;
   request.actuators = Eigen::VectorXd::Constant(1, std::sqrt(reach * reach + away * away - 2 * reach * away * std::cos(0.5)));
   const section::Result r = run.assembly(request);
   REQUIRE(table_of(r.section).rows.size() == 2);
@@ -143,7 +143,7 @@ TEST_CASE("values given for the actuators are used instead of the motion's") {
 
 TEST_CASE("a leg too short for any pose has no mode") {
   Run run;
-  scenario::SectionRequest request;
+  section::AssemblyOptions request;
   request.actuators = Eigen::VectorXd::Constant(1, 0.05);  // less than d - r
   const section::Result r = run.assembly(request);
   CHECK(gantry::value(r, "modes") == 0);

@@ -1,7 +1,7 @@
 // Numbers of a report against published ones: verdicts worked out by hand, notes, gates.
 #include <catch2/catch.hpp>
 
-#include <reports/section/section.hpp>
+#include <reports/section/comparison/comparison.hpp>
 #include <tests/scenario/trial.hpp>
 #include <tests/section/report_words.hpp>
 
@@ -16,9 +16,9 @@ section::Result compare(const std::string& rows, const std::string& options = ""
   const std::string text = trial::with("20 mm * sin(2*pi*t/10 s)", "10 mm * t / 1 s") +
                            "[[section]]\nkind = \"classification\"\n[[section]]\nkind = \"comparison\"\n" + options + rows;
   INFO(trial::told(text));
-  const scenario::Loaded loaded = scenario::load_text(text, "a.toml", stage::source());
+  const scenario::Loaded loaded = scenario::load_text(text, "a.toml", stage::source(), section::kinds());
   const section::Analysis a(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {});
-  return section::comparison_section(a, loaded.scenario.sections.back(),
+  return section::comparison_section(a, options_of<section::ComparisonOptions>(loaded.scenario.sections.back()),
                                      {{"classification", "by_rule", "", 151}, {"classification", "base_schemes", "", 118}});
 }
 

@@ -2,9 +2,9 @@
 // is a slider-crank, whose slider turns back at a dead centre.
 #include <catch2/catch.hpp>
 
+#include <reports/section/checks.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/displacement/prescribed.hpp>
-#include <reports/section/section.hpp>
 #include <tests/mechanics/slider_crank.hpp>
 #include <tests/scenario/trial.hpp>
 
@@ -19,7 +19,7 @@ struct Run {
             "title = \"Crank\"\n[mechanism]\nuse = \"crank\"\n[[section]]\nkind = \"displacement\"\n[motion]\nduration = "
             "\"1 s\"\nsamples = 21\n" +
                 motion,
-            "a.toml", {[](const std::string&) { return &contract::mechanism<test::SliderCrank>; }, {"crank"}})),
+            "a.toml", {[](const std::string&) { return &contract::mechanism<test::SliderCrank>; }, {"crank"}}, section::kinds())),
         analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
   scenario::Loaded loaded;
   section::Analysis analysis;

@@ -4,8 +4,10 @@
 
 #include <core/analysis/samples/smooth_rate.hpp>
 #include <core/analysis/study/motion_work.hpp>
+#include <reports/section/drives/drives.hpp>
+#include <reports/section/dynamics/dynamics.hpp>
 #include <reports/section/dynamics/dynamics_words.hpp>
-#include <reports/section/section.hpp>
+#include <reports/section/kinds.hpp>
 #include <tests/scenario/only.hpp>
 #include <tests/scenario/trial.hpp>
 #include <tests/section/report_words.hpp>
@@ -60,7 +62,7 @@ scenario::MechanismSource lift() { return test::only<Lift>(); }
 
 struct Run {
   explicit Run(const std::string& text)
-      : loaded(scenario::load_text(text, "a.toml", lift())),
+      : loaded(scenario::load_text(text, "a.toml", lift(), section::kinds())),
         analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
   double at(const std::string& column, int sample) const { return analysis.column(column)[static_cast<std::size_t>(sample)]; }
   scenario::Loaded loaded;
@@ -87,9 +89,8 @@ gravity = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]
 const std::string dynamics = "[[section]]\nkind = \"dynamics\"\n", drives = "[[section]]\nkind = \"drives\"\n";
 constexpr double rounding = 1e-12;
 
-scenario::SectionRequest request(const std::vector<double>& equations = {}) {
-  scenario::SectionRequest r;
-  r.kind = "dynamics";
+section::DynamicsOptions request(const std::vector<double>& equations = {}) {
+  section::DynamicsOptions r;
   r.equations = equations;
   return r;
 }
@@ -121,7 +122,7 @@ TEST_CASE("forces in motion take memory only where something asks for them") {
       limited(circuit("[limits]\nactuator_force = { q = \"60 N\" }\n[[section]]\nkind = \"displacement\"\n"));
   CHECK_FALSE(none.analysis.has_dynamics());
   CHECK_FALSE(none.analysis.has("q_dynamic_force"));
-  CHECK(none.analysis.columns_of("dynamics").empty());
+  CHECK(none.analysis.columns_of(analysis::dynamics_columns).empty());
   CHECK(some.analysis.has("q_dynamic_force"));
   CHECK_FALSE(some.analysis.has("q_drive_force"));
   CHECK_FALSE(some.analysis.has("R_force"));
@@ -285,6 +286,6 @@ TEST_CASE("a drive without a motor shows what it must give at its actuator, and 
   CHECK(result.values.empty());
   CHECK(blocks<figure::Figure>(result.section).size() == 1);
   CHECK(blocks<document::Table>(result.section).size() == 4);  // drives and inertia, of what slides and of what turns
-  for (const mechanics::Column& c : r.analysis.columns_of("drives")) CHECK(c.group.find("motor") == std::string::npos);
+  for (const analysis::Column& c : r.analysis.columns_of(analysis::drive_columns)) CHECK(c.group.find("motor") == std::string::npos);
   CHECK(r.at("q_drive_force", 40) == r.at("q_dynamic_force", 40));
 }

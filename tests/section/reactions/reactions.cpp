@@ -1,4 +1,5 @@
 // Section `reactions` on a gantry whose reactions can be worked out by hand, and on the stage, where all of them are unique.
+#include <reports/section/checks.hpp>
 #include <reports/section/reactions/reactions.hpp>
 
 #include <tests/scenario/trial.hpp>
@@ -17,7 +18,7 @@ const std::string pushed = "[load]\nforce = [\"0 N\", \"7 N\", \"0 N\"]\n" + ask
 
 struct OnStage {  // at rest
   explicit OnStage(const std::string& more)
-      : loaded(scenario::load_text(trial::with("20 mm * sin(2*pi*t/10 s)", "0 mm") + more, "a.toml", stage::source())),
+      : loaded(scenario::load_text(trial::with("20 mm * sin(2*pi*t/10 s)", "0 mm") + more, "a.toml", stage::source(), section::kinds())),
         analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
   scenario::Loaded loaded;
   section::Analysis analysis;
@@ -109,7 +110,7 @@ TEST_CASE("a unique component beside indeterminate ones is that of Newton") {
 
 TEST_CASE("only the joints that a scenario chooses are drawn, least-norm ones with their mark") {
   const gantry::Run r(pushed);
-  scenario::SectionRequest request;
+  section::ReactionsOptions request;
   request.joints = {2};
   const section::Result out = section::reactions_section(r.analysis, request);
   const auto figures = report_words::pointers<figure::Figure>(out.section);

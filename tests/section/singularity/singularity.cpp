@@ -3,7 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include <reports/section/common/words.hpp>
-#include <reports/section/section.hpp>
+#include <reports/section/kinds.hpp>
+#include <reports/section/mobility/mobility.hpp>
 #include <reports/section/singularity/singularity.hpp>
 #include <tests/scenario/only.hpp>
 #include <tests/scenario/trial.hpp>
@@ -67,9 +68,9 @@ struct Run {
   explicit Run(const std::string& x)
       : loaded(scenario::load_text("title = \"Sleigh\"\n[mechanism]\nuse = \"sleigh\"\n[motion]\nduration = \"2 s\"\nsamples = 11\nx = \"" +
                                        x + "\"\n[[section]]\nkind = \"velocity\"\n",
-                                   "a.toml", source())),
+                                   "a.toml", source(), section::kinds())),
         analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
-  section::Result singularity(const scenario::SectionRequest& r) {
+  section::Result singularity(const section::SingularityOptions& r) {
     scene::Studio studio;
     return section::singularity_section(analysis, r, section::Stage(analysis, studio), {});
   }
@@ -144,7 +145,7 @@ TEST_CASE("a regular motion is told with its margin and its worst time") {
 
 TEST_CASE("poses given by rounded numbers are judged on the surface that they mean") {
   Run r("60 mm");
-  scenario::SectionRequest request;
+  section::SingularityOptions request;
   request.poses = {Eigen::VectorXd::Constant(1, 2e-6), Eigen::VectorXd::Constant(1, 0.02)};
   const section::Result out = r.singularity(request);
   CHECK(value(out, "wrench_rank_1") == 5);

@@ -1,0 +1,43 @@
+// What the keys of sections read with: where they stand, and the values that more than one kind reads.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <core/scenario/section/section_part.hpp>
+#include <core/text/text.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pmreport::scenario {
+
+// What is known when a section is read.
+struct Reading {
+  const Reader& reader;
+  const std::optional<TimeSpan>& span;  // of the motion; nothing when it is not known, empty when there is none
+  const MechanismPart& mechanism;
+  const Measurable* measurable = nullptr;  // what can be named of all sections; for late keys alone
+};
+
+// A time that must lie within the motion; told when it does not, or when there is no motion.
+std::optional<double> read_time(const Value& value, const std::optional<TimeSpan>& span, const Reader& reader);
+// The items of a list of one to `most`; what is wrong is reported.
+std::vector<Value> items_of(const Entry& entry, std::size_t most, const Reader& reader);
+// Index of a coordinate; -1: there is none of that name.
+int index_of(const Topology& topology, const std::string& name);
+// A pose by its coordinates; those left out stay at home. Nothing, told, when it is none. The mechanism's topology must be known.
+std::optional<Eigen::VectorXd> read_pose(const Value& value, const std::string& where, const MechanismPart& mechanism,
+                                         const Reader& reader);
+
+// Adds what `list` does not have yet; else tells.
+template <class T>
+void add_once(std::vector<T>& list, const T& x, const Value& item, const Reader& reader) {
+  if (std::find(list.begin(), list.end(), x) != list.end())
+    reader.diagnostics().add(item.place, fmt::format("{} is given twice", in_quotes(item.text)), "remove one of the two");
+  else
+    list.push_back(x);
+}
+
+}  // namespace pmreport::scenario

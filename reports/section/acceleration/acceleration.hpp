@@ -1,0 +1,10 @@
+// Section `acceleration`: accelerations of actuators and platform.
+#pragma once
+
+#include <reports/section/kind.hpp>
+
+namespace pmreport::section {
+
+Result acceleration_section(const Analysis& a);
+
+}  // namespace pmreport::section

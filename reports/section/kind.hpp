@@ -1,0 +1,38 @@
+// A kind of section as the report makes it: what core/scenario knows of it, and how it is made.
+#pragma once
+
+#include <core/scenario/section/kind.hpp>
+#include <reports/document/report.hpp>
+#include <reports/section/common/analysis.hpp>
+
+#include <string>
+#include <vector>
+
+namespace pmreport::section {
+
+class Stage;
+
+// A section, and what it gives besides itself.
+struct Result {
+  document::Section section;
+  std::vector<document::Value> values = {};  // its quantities: `section` the kind, `name` without it
+  std::vector<document::Data> data = {};     // data files, besides the one of its columns
+  std::vector<document::Check> checks = {};  // gates of its own
+};
+
+// What a section is made of, besides what the scenario says of it.
+struct Context {
+  const Analysis& analysis;
+  const Stage& stage;
+  const Progress& progress;
+  const std::vector<document::Value>& values;  // of the sections before; of all others where the kind needs them
+  int number = 1;                              // of the section among its kind, from 1
+};
+
+struct SectionKind : scenario::SectionKind {
+  Result (*make)(const Context&, const scenario::Section&) = nullptr;
+  // Adds its panels to the overview and returns what they show, in words. nullptr: it has no part in it.
+  std::string (*glance)(const Analysis&, figure::Figure&) = nullptr;
+};
+
+}  // namespace pmreport::section
