@@ -1,4 +1,5 @@
 // Inverse dynamics and joint reactions of the 2Q-SPR against an independent model in 50-digit arithmetic (tests/data/2q-spr.json).
+#include <core/mechanics/displacement/displacement.hpp>
 #include <core/mechanics/dynamics/drive.hpp>
 #include <core/mechanics/mobility/mobility.hpp>
 #include <tests/plugins/dynamics.hpp>

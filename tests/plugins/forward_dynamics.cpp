@@ -1,4 +1,5 @@
 // Motions from forces of real mechanisms: inverse dynamics gives the forces back, energy adds up, and springs settle where statics says.
+#include <core/mechanics/dynamics/virtual_work.hpp>
 #include <core/mechanics/forward_dynamics/forward_dynamics.hpp>
 
 #include <core/mechanics/model/generic_model.hpp>
