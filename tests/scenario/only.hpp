@@ -1,7 +1,7 @@
 // A plugin path with one mechanism on it.
 #pragma once
 
-#include <core/scenario/scenario.hpp>
+#include <core/scenario/loaded.hpp>
 #include <pmreport/mechanism.hpp>
 
 #include <string>

@@ -1,6 +1,7 @@
 // Scenarios without [motion]: what may leave it out, and what may not.
 #include <catch2/catch.hpp>
 #include <reports/section/kinds.hpp>
+#include <reports/section/snapshots/snapshots.hpp>
 #include <tests/scenario/trial.hpp>
 
 using namespace pmreport;
@@ -28,7 +29,8 @@ TEST_CASE("sections of what is no motion need none") {
     CHECK(l.trajectory.samples() == 0);
     CHECK(l.scenario.load.force.empty());
   }
-  CHECK(load_text(still("kind = \"snapshots\"\n"), "a.toml", stage::source(), section::kinds()).scenario.sections[0].times.empty());
+  const Loaded home = load_text(still("kind = \"snapshots\"\n"), "a.toml", stage::source(), section::kinds());
+  CHECK(options_of<section::SnapshotsOptions>(home.scenario.sections[0]).times.empty());
 }
 
 TEST_CASE("a section that shows the motion needs one") {
