@@ -15,6 +15,10 @@ Shape Shape::of_kind(Kind kind) {
   return out;
 }
 
+Shape Shape::text() { return of_kind(Kind::text); }
+
+Shape Shape::boolean() { return of_kind(Kind::boolean); }
+
 Shape Shape::whole(double least, double most) {
   Shape out = of_kind(Kind::whole);
   out.least = least, out.most = most;
@@ -44,6 +48,8 @@ Shape Shape::table(std::vector<Key> keys) {
   out.keys = std::move(keys);
   return out;
 }
+
+Shape Shape::values_of(std::string named) { return values_of(std::move(named), {}); }
 
 Shape Shape::values_of(std::string named, std::vector<Key> more) {
   Shape out = table(std::move(more));

@@ -29,14 +29,15 @@ struct Shape {
   std::vector<Shape> of;               // list: the one shape of its items; either: each shape that may stand
   std::vector<Key> keys;               // table, and tables [[section.KEY]]; those that `named` tells are not among them
 
-  static Shape text() { return {}; }
-  static Shape boolean() { return of_kind(Kind::boolean); }
+  static Shape text();
+  static Shape boolean();
   static Shape whole(double least, double most);
   static Shape quantity(std::optional<Dimension> dimension);
   static Shape word(std::vector<std::string> words);
   static Shape name_of(std::string named);  // a word
   static Shape table(std::vector<Key> keys);
-  static Shape values_of(std::string named, std::vector<Key> more = {});  // a table
+  static Shape values_of(std::string named);  // a table
+  static Shape values_of(std::string named, std::vector<Key> more);
   static Shape tables(std::vector<Key> keys);
   static Shape list(std::size_t least, std::size_t most, Shape item);
   static Shape either(std::vector<Shape> shapes);
