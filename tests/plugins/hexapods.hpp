@@ -41,7 +41,7 @@ inline double det_at_yaw(const Machine& machine, double alpha) {
 // The yaw [deg] between `low` and `high` at which det G changes its sign, to the last digits of a double.
 inline double singular_yaw(const Machine& machine, double low, double high) {
   const bool sign = det_at_yaw(machine, low * deg) > 0;
-  REQUIRE(sign != det_at_yaw(machine, high * deg) > 0);
+  REQUIRE(sign != (det_at_yaw(machine, high * deg) > 0));
   for (int k = 0; k < 100; ++k) {
     const double middle = 0.5 * (low + high);
     ((det_at_yaw(machine, middle * deg) > 0) == sign ? low : high) = middle;
