@@ -43,7 +43,7 @@ std::variant<Options, int> read_command_line(int argc, char** argv) {
     const int status = app.exit(e);
     return status == 0 ? all_well : bad_scenario;
   }
-  if (!name.empty()) options.names = {name};
+  if (*describe_command || *new_mechanism_command) options.names = {name};
   const std::pair<CLI::App*, Command> commands[] = {{list_command, Command::list},
                                                     {describe_command, Command::describe},
                                                     {check_command, Command::check},

@@ -4,6 +4,7 @@
 
 #include <pmreport/plugin.h>
 #include <Eigen/Core>
+#include <core/mechanics/model/mechanism_error.hpp>
 #include <memory>
 #include <pmreport/topology.hpp>
 #include <span>
@@ -12,13 +13,6 @@
 #include <vector>
 
 namespace pmreport::mechanics {
-
-// What the plugin said no to, or said wrong. `status` tells bad parameters (PM_BAD_ARGUMENT, the user's) from a broken plugin (the rest).
-class MechanismError : public std::runtime_error {
- public:
-  MechanismError(pm_status status, const std::string& sentence) : std::runtime_error(sentence), status(status) {}
-  pm_status status;
-};
 
 struct ParameterInfo {
   std::string name, title, unit, display;  // unit: SI; display: the unit a reader expects

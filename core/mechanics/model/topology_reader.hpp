@@ -1,7 +1,7 @@
 // What a mechanism declares of itself, as structs of C++.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/model/mechanism_error.hpp>
 
 namespace pmreport::mechanics {
 
