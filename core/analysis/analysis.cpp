@@ -25,13 +25,13 @@ Analysis::Analysis(const scenario::Scenario& scenario, const mechanics::Trajecto
   run(progress);
   if (asked_.forces) run_dynamics(progress);
   breaches_ = find_breaches(machine.topology(), columns_);
-  crossings_ = find_crossings(trajectory, machine, columns_["det_G"], mobility_, length_);
+  crossings_ = find_crossings(trajectory, machine, columns_[column_of(OfMachine::determinant)], mobility_, length_);
 }
 
 void Analysis::run(const Progress& progress) {
   const std::size_t n = time().size();
   for (ColumnList* list : {displacement_columns, velocity_columns, acceleration_columns, statics_columns})
-    for (const Column& c : list(machine_.topology())) columns_.add(c.name, n);
+    for (const Column& c : list(machine_.topology())) columns_.add(c, n);
   outcomes_.assign(n, Outcome::good);
 
   const mechanics::Closure closure(machine_);
@@ -45,8 +45,7 @@ void Analysis::run(const Progress& progress) {
     tbb::parallel_for(begin, std::min(n, begin + block), [&](std::size_t k) {
       SampleWork& worker = workers.local();
       const int sample = static_cast<int>(k), neighbour = sample > 0 ? sample - 1 : std::min(1, samples() - 1);
-      outcomes_[k] =
-          worker.run(sample, neighbour, residuals_[k], [&](const std::string& name, double value) { columns_.put(name, k, value); });
+      outcomes_[k] = worker.run(sample, neighbour, residuals_[k], [&](const ColumnId& id, double value) { columns_.put(id, k, value); });
       if (outcomes_[k] == Outcome::unreachable || outcomes_[k] == Outcome::failed) {
         const std::scoped_lock lock(sentences);
         why_[sample] = worker.why();
@@ -60,7 +59,7 @@ void Analysis::run(const Progress& progress) {
 
 std::vector<Column> Analysis::columns_of(ColumnList* list) const {
   std::vector<Column> out = list(machine_.topology());
-  std::erase_if(out, [&](const Column& c) { return !has(c.name); });
+  std::erase_if(out, [&](const Column& c) { return !has(c); });
   return out;
 }
 

@@ -39,10 +39,10 @@ class Analysis {
   // Those columns of a list that this run has, in its order: forces in motion when something asks for them, motor columns where a motor is
   // given.
   std::vector<Column> columns_of(ColumnList* list) const;
-  bool has(const std::string& column) const { return columns_.has(column); }
+  bool has(const ColumnId& id) const { return columns_.has(id); }
   // NaN where a sample has no value.
-  const std::vector<double>& column(const std::string& name) const { return columns_[name]; }
-  double largest(const std::vector<std::string>& columns) const { return columns_.largest(columns); }  // magnitude over the samples
+  const std::vector<double>& column(const ColumnId& id) const { return columns_[id]; }
+  double largest(const std::vector<ColumnId>& columns) const { return columns_.largest(columns); }  // magnitude over the samples
 
   Outcome outcome(int sample) const { return outcomes_[static_cast<std::size_t>(sample)]; }
   int count(Outcome c) const;

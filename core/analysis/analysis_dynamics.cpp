@@ -34,17 +34,16 @@ void Analysis::add_force_columns() {
   const Topology& t = machine_.topology();
   const auto add = [&](ColumnList* list, auto&& wanted) {
     for (const Column& c : list(t))
-      if (wanted(c)) columns_.add(c.name, time().size());
+      if (wanted(c)) columns_.add(c, time().size());
   };
   const auto all = [](const Column&) { return true; };
   add(dynamics_columns, all);
   if (asked_.drives) {
-    const auto has_motor = [&](const Column& c) {
-      for (std::size_t i = 0; i < scenario_.drives.size(); ++i)
-        if (c.name == t.actuators[i].name + "_" + c.group) return scenario_.drives[i].ratio > 0;
-      return false;
-    };
-    add(drive_columns, [&](const Column& c) { return !c.group.starts_with("motor_") || has_motor(c); });
+    add(drive_columns, [&](const Column& c) {
+      for (std::size_t i = 0; i < t.actuators.size(); ++i)
+        if (of_motor(t.actuators[i], c)) return i < scenario_.drives.size() && scenario_.drives[i].ratio > 0;
+      return true;
+    });
   }
   if (asked_.reactions) add(reaction_columns, all);
 }
@@ -52,11 +51,11 @@ void Analysis::add_force_columns() {
 void Analysis::run_dynamics(const Progress& progress) {
   const Topology& t = machine_.topology();
   add_force_columns();
-  const ForceColumns columns(t, [&](const std::string& name) { return columns_.find(name); });
+  const ForceColumns columns(t, [&](const ColumnId& id) { return columns_.find(id); });
 
   std::vector<SampleForces::Order> orders;
   const std::vector<int> judged = spread(*this, 16);
-  const std::vector<double>& condition_number = column("condition");
+  const std::vector<double>& condition_number = column(column_of(OfMachine::condition));
   for (int k = 0; k < samples(); ++k)
     if (outcome(k) == Outcome::good)
       orders.push_back(
@@ -92,16 +91,16 @@ void Analysis::run_dynamics(const Progress& progress) {
 void Analysis::balance_power() {
   constexpr int wanted = 64;
   constexpr double smooth = 1e-9;  // change of the rate that is called none, relative as the measure is
-  std::vector<std::string> powers{"load_power"};
-  for (const Actuator& a : machine_.topology().actuators) powers.push_back(a.name + "_power");
+  std::vector<ColumnId> powers{column_of(OfMachine::load_power)};
+  for (const Actuator& a : machine_.topology().actuators) powers.push_back(column_of(a, OfActuator::power));
   const double largest_power = largest(powers);
 
   const std::vector<int> chosen = spread(*this, wanted);
   tbb::enumerable_thread_specific<MotionProbe> probes([&] { return MotionProbe(trajectory_, scenario_.load, machine_); });
   tbb::parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t i) {
     const auto k = static_cast<std::size_t>(chosen[i]);
-    const double power = column("total_power")[k] + column("load_power")[k];
-    if (!std::isfinite(power) || !(column("condition")[k] < comparable)) return;
+    const double power = column(column_of(OfMachine::total_power))[k] + column(column_of(OfMachine::load_power))[k];
+    if (!std::isfinite(power) || !(column(column_of(OfMachine::condition))[k] < comparable)) return;
     MotionProbe& probe = probes.local();
     const auto rate = smooth_rate([&](double t) { return probe.go(t) ? probe.energy() : nan; }, time()[k], time().front(), time().back());
     if (!rate) return;

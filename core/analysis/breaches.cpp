@@ -9,7 +9,7 @@ namespace pmreport::analysis {
 
 std::vector<LimitBreach> find_breaches(const Topology& t, const ColumnStore& columns) {
   std::vector<LimitBreach> out;
-  const auto look = [&](const std::string& column, const std::string& subject, const std::string& unit, const Range& range, bool stroke) {
+  const auto look = [&](const ColumnId& column, const std::string& subject, const std::string& unit, const Range& range, bool stroke) {
     for (const bool above : {false, true}) {
       LimitBreach b{subject, unit, {}, 0, 0, above ? range.max : range.min, above, stroke};
       double worst = 0;
@@ -25,7 +25,7 @@ std::vector<LimitBreach> find_breaches(const Topology& t, const ColumnStore& col
       if (!b.samples.empty()) out.push_back(b);
     }
   };
-  for (const Actuator& a : t.actuators) look(a.name, a.name + " (" + a.title + ")", a.unit, a.stroke, true);
+  for (const Actuator& a : t.actuators) look(column_of(a), a.name + " (" + a.title + ")", a.unit, a.stroke, true);
   for (const Joint& j : t.joints) {
     if (j.kind == JointKind::prismatic) continue;
     for (std::size_t i = 0; i < j.limits.size(); ++i) look(joint_column(j, i), "joint " + j.name, "rad", j.limits[i], false);

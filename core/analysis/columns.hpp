@@ -1,15 +1,13 @@
-// Names, units and groups of the columns that an analysis fills, one list a subject: checks, CSV files, plots and tables share them.
+// Units, titles and groups of the columns that an analysis fills, one list a subject: checks, CSV files, plots and tables share them.
 #pragma once
 
-#include <core/scenario/section/kind.hpp>
+#include <core/analysis/column_names.hpp>
 #include <pmreport/topology.hpp>
 
-#include <string>
 #include <vector>
 
 namespace pmreport::analysis {
 
-using scenario::Column;
 using ColumnList = std::vector<Column>(const Topology&);
 
 std::vector<Column> displacement_columns(const Topology& t);  // the platform's coordinates, actuators, readings, joints
@@ -20,15 +18,8 @@ std::vector<Column> dynamics_columns(const Topology& t);      // actuator forces
 std::vector<Column> drive_columns(const Topology& t);         // what drives and motors must give
 std::vector<Column> reaction_columns(const Topology& t);      // the wrench in every joint, and of every limb on the platform
 
-// Name of the column of limit number `limit` of a joint: "A1_deflection", "B5_angle", "U1_angle2".
-std::string joint_column(const Joint& joint, std::size_t limit);
-
 // Whether a joint of a kind transmits component c of a wrench in joint axes (joint_frame.hpp): 0-2 force, 3-5 moment about its centre.
 bool transmits(JointKind kind, int c);
-// Names of its columns: "B1_force_1", "B1_moment_3" in joint axes, "B1_force_x" in base axes.
-std::string reaction_column(const Joint& joint, int c, bool base_axes);
-// Of component c of the wrench of a limb, from 1, on the platform: "limb2_moment_x".
-std::string limb_column(int limb, int c);
 int limbs_of(const Topology& t);  // the largest number of a limb
 
 }  // namespace pmreport::analysis

@@ -66,7 +66,7 @@ std::vector<Paragraph> summary(const Analysis& a, const Report& r) {
 void add_values(Report& r, const Analysis& a, const SectionKind& kind) {
   for (const scenario::Column& c : a.columns_of(kind.columns)) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const double x : a.column(c.name))
+    for (const double x : a.column(c))
       if (std::isfinite(x)) low = std::min(low, x), high = std::max(high, x);
     if (low > high) continue;
     r.values.push_back({kind.name, "min(" + c.name + ")", c.unit, low});

@@ -9,6 +9,7 @@
 #include <cmath>
 
 using namespace pmreport;
+using analysis::ColumnId;
 
 namespace {
 
@@ -46,7 +47,7 @@ TEST_CASE("a broken stroke keeps its values and is told with time, value and lim
   CHECK(b.limit == 0.5);
   CHECK(b.above);
   CHECK(b.stroke);
-  CHECK(r.analysis.column("q").back() == Approx(0.6));
+  CHECK(r.analysis.column(ColumnId::named("q")).back() == Approx(0.6));
   CHECK(r.analysis.broken().size() == 1);
   CHECK(r.analysis.count(analysis::Outcome::good) == 21);
 }
@@ -58,9 +59,9 @@ TEST_CASE("a limit that is met exactly is kept") {
 TEST_CASE("an unreachable sample has no value in any column and is told with the mechanism's own reason") {
   const Run r(feeler_too_far);  // the feeler ends at 200 mm: from 1.4 s on it is too short
   CHECK(r.analysis.count(analysis::Outcome::unreachable) == 7);
-  CHECK(std::isnan(r.analysis.column("phi").back()));
-  CHECK(std::isnan(r.analysis.column("x_rate").back()));
-  CHECK(std::isfinite(r.analysis.column("phi")[13]));
+  CHECK(std::isnan(r.analysis.column(ColumnId::named("phi")).back()));
+  CHECK(std::isnan(r.analysis.column(ColumnId::named("x_rate")).back()));
+  CHECK(std::isfinite(r.analysis.column(ColumnId::named("phi"))[13]));
   REQUIRE(r.analysis.unreachable().size() == 1);
   CHECK(r.analysis.unreachable()[0].first == 14);
   CHECK(r.analysis.unreachable()[0].last == 20);
@@ -83,9 +84,9 @@ TEST_CASE("every residual of a sound mechanism is rounding") {
 TEST_CASE("static forces oppose the load: the slide the force along it, the table the moment about it") {
   const Run r(trial::with_more(
       "[load]\nforce = [\"5 N\", \"7 N\", \"0 N\"]\nmoment = [\"0 N*m\", \"0 N*m\", \"3 N*m\"]\n[[section]]\nkind = \"statics\"\n"));
-  CHECK(r.analysis.column("q_force")[4] == Approx(-5));
-  CHECK(r.analysis.column("psi_force")[4] == Approx(-3));
-  CHECK(r.analysis.column("c1")[4] == Approx(-7));
+  CHECK(r.analysis.column(ColumnId::named("q_force"))[4] == Approx(-5));
+  CHECK(r.analysis.column(ColumnId::named("psi_force"))[4] == Approx(-3));
+  CHECK(r.analysis.column(ColumnId::named("c1"))[4] == Approx(-7));
 }
 
 TEST_CASE("the nearest sample stands for a time between two") {
@@ -101,16 +102,16 @@ TEST_CASE("what no section shows is not computed") {
   CHECK(r.analysis.worst(Measure::gap).compared == 21);
   for (const Measure m : {Measure::velocity, Measure::difference_rate, Measure::difference_acceleration, Measure::statics, Measure::judge})
     CHECK(r.analysis.worst(m).compared == 0);
-  CHECK(std::isnan(r.analysis.column("q_force")[4]));
+  CHECK(std::isnan(r.analysis.column(ColumnId::named("q_force"))[4]));
   CHECK_FALSE(r.analysis.has_dynamics());
 }
 
 TEST_CASE("limits ask for forces in motion, and for no evidence of them") {
   const Run r(trial::with_more("[limits]\nactuator_force = { q = \"1 kN\" }\n"));
   CHECK(r.analysis.has_dynamics());
-  CHECK(std::isfinite(r.analysis.column("q_dynamic_force")[4]));
+  CHECK(std::isfinite(r.analysis.column(ColumnId::named("q_dynamic_force"))[4]));
   CHECK(r.analysis.worst(analysis::Measure::newton_euler).compared == 0);
-  CHECK_FALSE(r.analysis.has("P_force"));
+  CHECK_FALSE(r.analysis.has(ColumnId::named("P_force")));
 }
 
 TEST_CASE("without a motion a run knows the machine at home and no sample") {

@@ -4,19 +4,20 @@
 
 namespace pmreport::analysis {
 
-ForceColumns::ForceColumns(const Topology& t, const std::function<double*(const std::string&)>& find)
-    : total_power(find("total_power")),
-      load_power(find("load_power")),
-      kinetic_energy(find("kinetic_energy")),
-      potential_energy(find("potential_energy")) {
+ForceColumns::ForceColumns(const Topology& t, const std::function<double*(const ColumnId&)>& find)
+    : total_power(find(column_of(OfMachine::total_power))),
+      load_power(find(column_of(OfMachine::load_power))),
+      kinetic_energy(find(column_of(OfMachine::kinetic_energy))),
+      potential_energy(find(column_of(OfMachine::potential_energy))) {
   for (const Actuator& a : t.actuators) {
-    const auto of = [&](const char* suffix) { return find(a.name + suffix); };
-    actuators.push_back({of("_dynamic_force"), of("_load_force"), of("_gravity_force"), of("_inertia_force"), of("_power"),
-                         of("_drive_force"), of("_drive_power"), of("_motor_torque"), of("_motor_speed"), of("_motor_power"),
-                         of("_reflected_inertia")});
+    const auto of = [&](OfActuator what) { return find(column_of(a, what)); };
+    actuators.push_back({of(OfActuator::dynamic_force), of(OfActuator::load_force), of(OfActuator::gravity_force),
+                         of(OfActuator::inertia_force), of(OfActuator::power), of(OfActuator::drive_force), of(OfActuator::drive_power),
+                         of(OfActuator::motor_torque), of(OfActuator::motor_speed), of(OfActuator::motor_power),
+                         of(OfActuator::reflected_inertia)});
   }
   for (const Joint& j : t.joints) {
-    OfJoint columns{find(j.name + "_force"), find(j.name + "_moment"), {}, {}};
+    JointColumns columns{find(column_of(j, OfJoint::force)), find(column_of(j, OfJoint::moment)), {}, {}};
     for (int c = 0; c < 6; ++c) {
       const auto at = static_cast<std::size_t>(c);
       columns.joint_axes[at] = find(reaction_column(j, c, false));

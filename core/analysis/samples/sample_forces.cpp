@@ -112,7 +112,7 @@ void SampleForces::put_actuators(std::size_t sample, const mechanics::ForceShare
   double power = 0;
   for (std::size_t i = 0; i < columns_.actuators.size(); ++i) {
     const auto at = static_cast<Index>(i);
-    const ForceColumns::OfActuator& to = columns_.actuators[i];
+    const ForceColumns::ActuatorColumns& to = columns_.actuators[i];
     const double own = total(at) * state_.actuators[i].rate;
     put(to.force, sample, total(at));
     put(to.load, sample, shares.load(at));
@@ -132,7 +132,7 @@ void SampleForces::put_drives(std::size_t sample, const mechanics::Tangent& tang
   const SmallVector inertia = reflected_inertia(tangent, equations_of_motion(machine_, state_, tangent, loading_.gravity).mass);
   for (std::size_t i = 0; i < columns_.actuators.size(); ++i) {
     const auto at = static_cast<Index>(i);
-    const ForceColumns::OfActuator& to = columns_.actuators[i];
+    const ForceColumns::ActuatorColumns& to = columns_.actuators[i];
     const mechanics::Scalar& x = state_.actuators[i];
     const mechanics::DriveTrain& drive = drives_.at(i);
     const double force = drive_force(drive, total(at), x.rate);
@@ -149,7 +149,7 @@ void SampleForces::put_drives(std::size_t sample, const mechanics::Tangent& tang
 
 void SampleForces::put_reactions(std::size_t sample) {
   for (std::size_t j = 0; j < columns_.joints.size(); ++j) {
-    const ForceColumns::OfJoint& to = columns_.joints[j];
+    const ForceColumns::JointColumns& to = columns_.joints[j];
     if (to.force == nullptr) return;
     const Vector6d& wrench = reactions_.joints[j];
     const Vector6d local = mechanics::in_axes(frames_(state_, static_cast<int>(j)), wrench);

@@ -54,29 +54,29 @@ void SampleWork::kinematics(const Put& put, const mechanics::ClosedForm& c) {
   const Topology& t = machine_.topology();
   const auto all = [&](const auto& declared, const std::vector<mechanics::Scalar>& values) {
     for (std::size_t i = 0; i < declared.size(); ++i) {
-      put(declared[i].name, values[i].value);
-      put(declared[i].name + "_rate", values[i].rate);
-      put(declared[i].name + "_acceleration", values[i].acceleration);
+      put(column_of(declared[i], OfMotion::value), values[i].value);
+      put(column_of(declared[i], OfMotion::rate), values[i].rate);
+      put(column_of(declared[i], OfMotion::acceleration), values[i].acceleration);
     }
   };
   all(t.coordinates, state_.coordinates);
   all(t.derived, state_.derived);
   all(t.actuators, state_.actuators);
-  for (int i = 0; i < 3; ++i) {
-    const std::string axis = std::string("_") + "xyz"[i];
-    put("velocity" + axis, platform().velocity(i));
-    put("angular_velocity" + axis, platform().angular_velocity(i));
-    put("acceleration" + axis, platform().acceleration(i));
-    put("angular_acceleration" + axis, platform().angular_acceleration(i));
-  }
+  const auto vector = [&](OfPlatform what, const Eigen::Vector3d& value) {
+    for (std::size_t axis = 0; axis < 3; ++axis) put(column_of(what, axis), value(static_cast<Eigen::Index>(axis)));
+  };
+  vector(OfPlatform::velocity, platform().velocity);
+  vector(OfPlatform::angular_velocity, platform().angular_velocity);
+  vector(OfPlatform::acceleration, platform().acceleration);
+  vector(OfPlatform::angular_acceleration, platform().angular_acceleration);
   if (!t.readings.empty()) {
     std::vector<double> q;
     for (const mechanics::Scalar& x : state_.coordinates) q.push_back(x.value);
     const std::vector<double> readings = machine_.readings(q, machine_.pose(q));
-    for (std::size_t i = 0; i < readings.size(); ++i) put(t.readings[i].name, readings[i]);
+    for (std::size_t i = 0; i < readings.size(); ++i) put(column_of(t.readings[i]), readings[i]);
   }
-  put("det_G", c.determinant);
-  put("condition", c.condition);
+  put(column_of(OfMachine::determinant), c.determinant);
+  put(column_of(OfMachine::condition), c.condition);
   for (std::size_t i = 0; i < t.joints.size(); ++i) {
     if (t.joints[i].kind == JointKind::prismatic) continue;
     const std::vector<double> motion = closure_.motion(state_.bodies, static_cast<int>(i));
@@ -139,8 +139,9 @@ void SampleWork::statics(int sample, Row& row, const Put& put, const mechanics::
   Eigen::VectorXd forces = closed_statics(c, wrench).head(machine_.dof());
   if (!load.gravity.isZero()) forces += weight_forces(machine_, state_, load.gravity);
   const Vector6d on_platform = closed_statics(c, wrench + weight.segment<6>(6 * t.platform - 6));
-  for (int i = 0; i < machine_.dof(); ++i) put(t.actuators[static_cast<std::size_t>(i)].name + "_force", forces(i));
-  for (std::size_t i = 0; i < t.constraints.size(); ++i) put(t.constraints[i].name, on_platform(machine_.dof() + static_cast<int>(i)));
+  for (int i = 0; i < machine_.dof(); ++i) put(column_of(t.actuators[static_cast<std::size_t>(i)], OfActuator::static_force), forces(i));
+  for (std::size_t i = 0; i < t.constraints.size(); ++i)
+    put(column_of(t.constraints[i]), on_platform(machine_.dof() + static_cast<int>(i)));
 
   if (c.condition < comparable) {
     Eigen::VectorXd wrenches = weight;

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <core/analysis/asked.hpp>
+#include <core/analysis/column_names.hpp>
 #include <core/analysis/residuals.hpp>
-#include <core/mechanics/model/outcome.hpp>
 #include <core/mechanics/displacement/displacement.hpp>
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/model/outcome.hpp>
 #include <core/mechanics/trajectory/trajectory.hpp>
 #include <core/scenario/load.hpp>
 
@@ -24,7 +25,7 @@ class SampleWork {
              const mechanics::Closure& closure, double length, const Asked& asked)
       : trajectory_(trajectory), load_(load), machine_(m), closure_(closure), forward_(m), length_(length), asked_(asked) {}
 
-  using Put = std::function<void(const std::string& column, double value)>;
+  using Put = std::function<void(const ColumnId& column, double value)>;
 
   // Fills `row` and hands every output number to `put`. `previous`: a neighbour of the sample, towards which forward displacement starts.
   mechanics::Outcome run(int sample, int previous, Row& row, const Put& put);

@@ -16,11 +16,11 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 }
 
-bool has_motor(const Analysis& a, std::size_t i) { return a.has(a.machine().topology().actuators[i].name + "_motor_torque"); }
+bool has_motor(const Analysis& a, std::size_t i) { return a.has(column_of(a.machine().topology().actuators[i], OfActuator::motor_torque)); }
 
-double driven_back(const Analysis& a, const std::string& actuator) {
+double driven_back(const Analysis& a, const Actuator& actuator) {
   int back = 0, all = 0;
-  for (const double p : a.column(actuator + "_power"))
+  for (const double p : a.column(column_of(actuator, OfActuator::power)))
     if (std::isfinite(p)) ++all, back += p < 0 ? 1 : 0;
   return all > 0 ? static_cast<double>(back) / all : nan;
 }
@@ -31,15 +31,17 @@ DriveBalance drive_balance(const Analysis& a) {
   bool divides = false;
   MotionProbe probe(a.trajectory(), a.scenario().load, a.machine());
   for (std::size_t i = 0; i < actuators.size(); ++i) {
-    const std::string& name = actuators[i].name;
+    const Actuator& actuator = actuators[i];
     const DriveTrain& drive = a.scenario().drives.at(i);
     divides = divides || drive.convention == EfficiencyConvention::always_divides;
-    const std::vector<double>&in = a.column(name + "_drive_power"), &out = a.column(name + "_power");
+    const std::vector<double>&in = a.column(column_of(actuator, OfActuator::drive_power)),
+          &out = a.column(column_of(actuator, OfActuator::power));
     for (std::size_t k = 0; k < in.size(); ++k)
       if (std::isfinite(in[k])) gained = std::max(gained, out[k] - in[k]), power = std::max(power, std::abs(in[k]));
     if (!has_motor(a, i)) continue;
-    const std::vector<double>& motor = a.column(name + "_motor_power");
-    smooth_scale = std::max(smooth_scale, a.largest({name + "_motor_power"}));
+    const ColumnId motor_power = column_of(actuator, OfActuator::motor_power);
+    const std::vector<double>& motor = a.column(motor_power);
+    smooth_scale = std::max(smooth_scale, a.largest({motor_power}));
     const auto rotor_energy = [&](double t) {
       if (!probe.go(t)) return nan;
       const double speed = drive.ratio * probe.state().actuators[i].rate;

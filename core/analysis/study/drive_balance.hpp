@@ -4,14 +4,13 @@
 #include <core/analysis/analysis.hpp>
 
 #include <limits>
-#include <string>
 
 namespace pmreport::analysis {
 
 bool has_motor(const Analysis& a, std::size_t actuator);
 
 // Share of the samples at which the actuator is driven back: force and rate oppose each other. NaN where no sample has forces.
-double driven_back(const Analysis& a, const std::string& actuator);
+double driven_back(const Analysis& a, const Actuator& actuator);
 
 struct DriveBalance {
   // Largest power that a drive gives beyond what it takes, relative to the largest that any takes; NaN where the convention of the source

@@ -17,7 +17,7 @@ constexpr double nothing = 1e-9;  // of the largest: rounding of what vanishes
 
 const std::vector<double>* size_column(const Analysis& a, const Joint& joint, bool moment) {
   if (moment && joint.kind == JointKind::spherical) return nullptr;
-  return &a.column(joint.name + (moment ? "_moment" : "_force"));
+  return &a.column(column_of(joint, moment ? OfJoint::moment : OfJoint::force));
 }
 
 JointLoad::Size size_of(const Analysis& a, const Joint& joint, bool moment) {
@@ -103,7 +103,7 @@ mechanics::State state_of(const Analysis& a, int sample) {
 
 std::vector<int> samples_with_forces(const Analysis& a, int count) {
   std::vector<int> good, out;
-  const std::vector<double>& size = a.column(a.machine().topology().joints.front().name + "_force");
+  const std::vector<double>& size = a.column(column_of(a.machine().topology().joints.front(), OfJoint::force));
   for (int k = 0; k < a.samples(); ++k)
     if (std::isfinite(size[static_cast<std::size_t>(k)])) good.push_back(k);
   const std::size_t n = std::min(good.size(), static_cast<std::size_t>(std::max(count, 1)));

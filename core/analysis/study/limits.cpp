@@ -21,16 +21,17 @@ void each_limit(const Analysis& a, F&& f) {
     const Actuator& x = t.actuators[i];
     const std::string name = x.name + " (" + x.title + ")";
     if (std::isfinite(of(limits.force, i)))
-      f(x.name + "_dynamic_force", mechanics::word_of_effort(x.sense()) + (" of " + name), mechanics::unit_of_effort(x.sense()),
-        limits.force[i]);
-    if (std::isfinite(of(limits.speed, i))) f(x.name + "_rate", "speed of " + name, x.unit + "/s", limits.speed[i]);
-    if (std::isfinite(of(limits.power, i))) f(x.name + "_power", "power of " + name, "W", limits.power[i]);
+      f(column_of(x, OfActuator::dynamic_force), mechanics::word_of_effort(x.sense()) + (" of " + name),
+        mechanics::unit_of_effort(x.sense()), limits.force[i]);
+    if (std::isfinite(of(limits.speed, i))) f(column_of(x, OfMotion::rate), "speed of " + name, x.unit + "/s", limits.speed[i]);
+    if (std::isfinite(of(limits.power, i))) f(column_of(x, OfActuator::power), "power of " + name, "W", limits.power[i]);
   }
   for (std::size_t j = 0; j < t.joints.size(); ++j) {
     const Joint& joint = t.joints[j];
-    if (std::isfinite(of(limits.joint_force, j))) f(joint.name + "_force", "force in joint " + joint.name, "N", limits.joint_force[j]);
+    if (std::isfinite(of(limits.joint_force, j)))
+      f(column_of(joint, OfJoint::force), "force in joint " + joint.name, "N", limits.joint_force[j]);
     if (std::isfinite(of(limits.joint_moment, j)) && joint.kind != JointKind::spherical)
-      f(joint.name + "_moment", "moment in joint " + joint.name, "N*m", limits.joint_moment[j]);
+      f(column_of(joint, OfJoint::moment), "moment in joint " + joint.name, "N*m", limits.joint_moment[j]);
   }
 }
 
@@ -39,7 +40,7 @@ void each_limit(const Analysis& a, F&& f) {
 std::vector<LimitBreach> limit_breaches(const Analysis& a) {
   std::vector<LimitBreach> out;
   if (!a.has_dynamics()) return out;
-  each_limit(a, [&](const std::string& column, const std::string& subject, const std::string& unit, double limit) {
+  each_limit(a, [&](const ColumnId& column, const std::string& subject, const std::string& unit, double limit) {
     LimitBreach b{subject, unit, {}, 0, 0, limit, true, false};
     const std::vector<double>& x = a.column(column);
     for (int k = 0; k < a.samples(); ++k) {
@@ -59,7 +60,7 @@ LimitCount count_limits(const Analysis& a) {
   std::set<int> missing, broken;
   for (const LimitBreach& b : limit_breaches(a)) broken.insert(b.samples.begin(), b.samples.end());
   if (!a.has_dynamics()) return {0, 0};
-  each_limit(a, [&](const std::string& column, const std::string&, const std::string&, double) {
+  each_limit(a, [&](const ColumnId& column, const std::string&, const std::string&, double) {
     const std::vector<double>& x = a.column(column);
     for (int k = 0; k < a.samples(); ++k)
       if (!std::isfinite(x[static_cast<std::size_t>(k)])) missing.insert(k);

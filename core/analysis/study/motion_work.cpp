@@ -85,23 +85,28 @@ class Quadrature {
 // All that flows, through actuators and load, and in and out of what is stored: where the platform falls freely only the last is more than
 // rounding. By samples: a scale needs no more.
 double flow_of(const Analysis& a) {
-  std::vector<std::string> columns{"load_power"};
-  for (const Actuator& x : a.machine().topology().actuators) columns.push_back(x.name + "_power");
+  std::vector<ColumnId> columns{column_of(OfMachine::load_power)};
+  for (const Actuator& x : a.machine().topology().actuators) columns.push_back(column_of(x, OfActuator::power));
   double flow = 0;
   const auto add = [&](double piece) {
     if (std::isfinite(piece)) flow += piece;
   };
   for (std::size_t k = 0; k + 1 < a.time().size(); ++k) {
-    for (const std::string& name : columns) {
-      const std::vector<double>& p = a.column(name);
+    for (const ColumnId& column : columns) {
+      const std::vector<double>& p = a.column(column);
       add((std::abs(p[k]) + std::abs(p[k + 1])) / 2 * (a.time()[k + 1] - a.time()[k]));
     }
-    for (const char* name : {"kinetic_energy", "potential_energy"}) add(std::abs(a.column(name)[k + 1] - a.column(name)[k]));
+    for (const OfMachine what : {OfMachine::kinetic_energy, OfMachine::potential_energy}) {
+      const std::vector<double>& energy = a.column(column_of(what));
+      add(std::abs(energy[k + 1] - energy[k]));
+    }
   }
   return flow;
 }
 
-double energy_at(const Analysis& a, std::size_t k) { return a.column("kinetic_energy")[k] + a.column("potential_energy")[k]; }
+double energy_at(const Analysis& a, std::size_t k) {
+  return a.column(column_of(OfMachine::kinetic_energy))[k] + a.column(column_of(OfMachine::potential_energy))[k];
+}
 
 // Same pose and same rates, to what the rounding of a motion's expressions leaves of them.
 bool returns(const Analysis& a) {
@@ -119,7 +124,7 @@ bool returns(const Analysis& a) {
 
 // The samples with forces, in runs.
 std::vector<SampleRun> runs_with_forces(const Analysis& a) {
-  const std::vector<double>& p = a.column("total_power");
+  const std::vector<double>& p = a.column(column_of(OfMachine::total_power));
   std::vector<SampleRun> out = runs(a.samples(), [&](int k) { return std::isfinite(p[static_cast<std::size_t>(k)]); });
   std::erase_if(out, [](const SampleRun& i) { return i.first == i.last; });
   return out;

@@ -25,16 +25,16 @@ PrescribedDeviation prescribed_deviation(const Analysis& a) {
     }
     hardest = std::max(hardest, fastest * fastest);
     for (std::size_t i = 0; i < dof; ++i) {
-      const std::string& name = t.actuators[i].name;
-      const double l_unit = unit(t.actuators[i].unit);
-      const auto deviation = [&](const std::string& column, double prescribed, double scale) {
-        const double d = std::abs(a.column(column)[sample] - prescribed) / l_unit;
+      const Actuator& actuator = t.actuators[i];
+      const double l_unit = unit(actuator.unit);
+      const auto deviation = [&](OfMotion what, double prescribed, double scale) {
+        const double d = std::abs(a.column(column_of(actuator, what))[sample] - prescribed) / l_unit;
         return scale > 0 ? d / scale : d;
       };
       const auto take = [](double& into, double d) { into = std::isnan(d) || std::isnan(into) ? NAN : std::max(into, d); };
-      take(worst.value, deviation(name, value[i], 1));
-      take(worst.rate, deviation(name + "_rate", rate[i], fastest));
-      take(worst.acceleration, deviation(name + "_acceleration", acceleration[i], hardest));
+      take(worst.value, deviation(OfMotion::value, value[i], 1));
+      take(worst.rate, deviation(OfMotion::rate, rate[i], fastest));
+      take(worst.acceleration, deviation(OfMotion::acceleration, acceleration[i], hardest));
     }
   }
   return worst;

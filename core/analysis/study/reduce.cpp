@@ -38,15 +38,16 @@ Reduced reduce(const std::vector<double>& time, const std::vector<double>& colum
 Number measure(const Analysis& a, const scenario::Measured& m, bool largest) {
   Number out;
   for (const std::string& name : m.columns) {
-    if (!a.has(name)) return {};
-    const Reduced f = reduce(a.time(), a.column(name), m);
+    const ColumnId column = ColumnId::named(name);
+    if (!a.has(column)) return {};
+    const Reduced f = reduce(a.time(), a.column(column), m);
     if (!std::isfinite(f.value)) return {};
     if (out.column.empty() || (largest ? f.value > out.value : f.value < out.value)) out = {f.value, f.sample, name};
   }
   return out;
 }
 
-Peak peak(const Analysis& a, const std::string& column) {
+Peak peak(const Analysis& a, const ColumnId& column) {
   Peak out;
   const std::vector<double>& x = a.column(column);
   for (int k = 0; k < a.samples(); ++k) {
@@ -56,7 +57,7 @@ Peak peak(const Analysis& a, const std::string& column) {
   return out;
 }
 
-double rms(const Analysis& a, const std::string& column) { return rms(a.column(column)); }
+double rms(const Analysis& a, const ColumnId& column) { return rms(a.column(column)); }
 
 double rms(const std::vector<double>& column) {
   double squares = 0;

@@ -33,9 +33,9 @@ struct Peak {
   int sample = -1;
   double value = 0;  // with its sign
 };
-Peak peak(const Analysis& a, const std::string& column);
+Peak peak(const Analysis& a, const ColumnId& column);
 // Root of the mean square over the samples that have a value; NaN where none has.
-double rms(const Analysis& a, const std::string& column);
+double rms(const Analysis& a, const ColumnId& column);
 double rms(const std::vector<double>& column);
 
 }  // namespace pmreport::analysis

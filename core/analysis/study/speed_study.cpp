@@ -19,12 +19,14 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-MatrixXd matrix_of(const Analysis& a, std::initializer_list<const char*> suffixes) {
+// The sum of some columns of each actuator.
+template <class What>
+MatrixXd matrix_of(const Analysis& a, std::initializer_list<What> columns) {
   const auto& actuators = a.machine().topology().actuators;
   MatrixXd out = MatrixXd::Zero(a.samples(), static_cast<Index>(actuators.size()));
   for (std::size_t i = 0; i < actuators.size(); ++i)
-    for (const char* suffix : suffixes)
-      out.col(static_cast<Index>(i)) += Eigen::Map<const Eigen::VectorXd>(a.column(actuators[i].name + suffix).data(), a.samples());
+    for (const What what : columns)
+      out.col(static_cast<Index>(i)) += Eigen::Map<const Eigen::VectorXd>(a.column(column_of(actuators[i], what)).data(), a.samples());
   return out;
 }
 
@@ -34,8 +36,8 @@ MatrixXd reactions_in_motion(const Analysis& a) {
   MatrixXd out = MatrixXd::Zero(a.samples(), 6 * static_cast<Index>(joints.size()));
   for (std::size_t j = 0; j < joints.size(); ++j)
     for (int c = 0; c < 6; ++c)
-      if (const std::string name = analysis::reaction_column(joints[j], c, true); a.has(name))
-        out.col(6 * static_cast<Index>(j) + c) = Eigen::Map<const Eigen::VectorXd>(a.column(name).data(), a.samples());
+      if (const ColumnId column = reaction_column(joints[j], c, true); a.has(column))
+        out.col(6 * static_cast<Index>(j) + c) = Eigen::Map<const Eigen::VectorXd>(a.column(column).data(), a.samples());
   return out;
 }
 
@@ -77,9 +79,9 @@ bool of_joint(const SpeedLimit& l) { return l.kind == Kind::joint_force || l.kin
 
 SpeedStudy::SpeedStudy(const Analysis& a) : a_(a) {
   const mechanics::MotionLimits& limits = a.scenario().limits;
-  forces_.actuator_rest = matrix_of(a, {"_load_force", "_gravity_force"});
-  forces_.actuator_inertia = matrix_of(a, {"_inertia_force"});
-  forces_.actuator_rate = matrix_of(a, {"_rate"});
+  forces_.actuator_rest = matrix_of(a, {OfActuator::load_force, OfActuator::gravity_force});
+  forces_.actuator_inertia = matrix_of(a, {OfActuator::inertia_force});
+  forces_.actuator_rate = matrix_of(a, {OfMotion::rate});
   for (const auto* list : {&limits.joint_force, &limits.joint_moment})
     if (std::any_of(list->begin(), list->end(), [](double x) { return std::isfinite(x); }) && forces_.joint_rest.size() == 0) {
       forces_.joint_rest = reactions_at_rest(a);

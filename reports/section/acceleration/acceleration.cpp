@@ -10,7 +10,7 @@ Result acceleration_section(const Analysis& a) {
   Section s{"acceleration", "acceleration", "Acceleration", {}};
   figure::Figure f{
       "acceleration", "Accelerations of the actuators and of the platform.", "data/acceleration.csv", figure::Width::full, 2, {}};
-  add_actuators(f, a, analysis::acceleration_columns, "_acceleration", "actuator acceleration", "/s^2");
+  add_actuators(f, a, analysis::acceleration_columns, OfMotion::acceleration, "actuator acceleration", "/s^2");
   add_panel(f, a, "acceleration of the platform", "acceleration", "m/s^2", group(a, analysis::acceleration_columns, "acceleration"));
   add_panel(f, a, "angular acceleration of the platform", "angular acceleration", "rad/s^2",
             group(a, analysis::acceleration_columns, "angular_acceleration"));

@@ -7,7 +7,7 @@ namespace pmreport::section {
 namespace {
 
 std::string glance(const Analysis& a, figure::Figure& f) {
-  add_actuators(f, a, analysis::acceleration_columns, "_acceleration", "actuator acceleration", "/s^2");
+  add_actuators(f, a, analysis::acceleration_columns, OfMotion::acceleration, "actuator acceleration", "/s^2");
   return "their accelerations";
 }
 

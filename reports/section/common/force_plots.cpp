@@ -11,14 +11,15 @@
 
 namespace pmreport::section {
 
-std::vector<Trace> of_actuators(const Analysis& a, const std::string& suffix, const std::string& unit) {
+std::vector<Trace> of_actuators(const Analysis& a, OfActuator what, const std::string& unit) {
   std::vector<Trace> out;
   for (const Actuator& x : a.machine().topology().actuators)
-    if ((unit.empty() || x.unit == unit) && a.has(x.name + suffix)) out.push_back({x.name + suffix, symbol(x.name)});
+    if (const ColumnId column = column_of(x, what); (unit.empty() || x.unit == unit) && a.has(column))
+      out.push_back({column, symbol(x.name)});
   return out;
 }
 
-std::vector<Trace> of_actuators(const Analysis& a, const std::string& suffix) { return of_actuators(a, suffix, ""); }
+std::vector<Trace> of_actuators(const Analysis& a, OfActuator what) { return of_actuators(a, what, ""); }
 
 void add_limit_lines(figure::Panel& p, const Analysis& a, const std::vector<double>& limits, const std::string& unit, double per_si) {
   std::map<double, std::string> names;  // of each bound, whom it binds

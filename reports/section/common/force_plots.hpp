@@ -10,16 +10,17 @@
 
 namespace pmreport::section {
 
-// The curves NAME_suffix of the actuators of a unit, "m" or "rad", labelled by their symbols; those that the run has.
-std::vector<Trace> of_actuators(const Analysis& a, const std::string& suffix, const std::string& unit);
-std::vector<Trace> of_actuators(const Analysis& a, const std::string& suffix);  // of any unit
+// The curves of one kind of column of the actuators of a unit, "m" or "rad", labelled by their symbols; those that the run has.
+std::vector<Trace> of_actuators(const Analysis& a, OfActuator what, const std::string& unit);
+std::vector<Trace> of_actuators(const Analysis& a, OfActuator what);  // of any unit
 
 // Lines at both signs of the finite `limits` (one an actuator, SI) of the actuators of a unit; those alike in one. `per_si`: the panel's.
 void add_limit_lines(figure::Panel& p, const Analysis& a, const std::vector<double>& limits, const std::string& unit, double per_si);
 
 // The curves of one actuator that a figure of shares shows, in the same style in every panel; keys in the first panel alone.
 struct Share {
-  std::string column, label;
+  ColumnId column;
+  std::string label;
   int style;
 };
 constexpr int total_style = 73;                                      // black, solid

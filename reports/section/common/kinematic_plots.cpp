@@ -18,9 +18,10 @@ std::vector<Column> columns_in(const Analysis& a, ColumnList* list, std::initial
   return out;
 }
 
-void add_actuators(figure::Figure& f, const Analysis& a, ColumnList* list, const std::string& suffix, const std::string& words,
+void add_actuators(figure::Figure& f, const Analysis& a, ColumnList* list, OfMotion what, const std::string& words,
                    const std::string& per) {
-  for (const std::string unit : {"m", "rad"}) add_panel(f, a, words, words, unit + per, group(a, list, "actuator" + suffix, unit + per));
+  for (const std::string unit : {"m", "rad"})
+    add_panel(f, a, words, words, unit + per, group(a, list, analysis::group_of("actuator", what), unit + per));
 }
 
 }  // namespace pmreport::section

@@ -15,8 +15,7 @@ void add_panel(figure::Figure& f, const Analysis& a, const std::string& title, c
 bool linear_drives(const Analysis& a);             // the first actuator's stands for all
 // The columns of some groups of a list.
 std::vector<Column> columns_in(const Analysis& a, ColumnList* list, std::initializer_list<std::string_view> groups);
-// Curves of the actuators, a panel for linear and one for rotary ones. `suffix`: of the group, "_rate"; `per`: of the unit, "/s".
-void add_actuators(figure::Figure& f, const Analysis& a, ColumnList* list, const std::string& suffix, const std::string& words,
-                   const std::string& per);
+// Curves of the actuators, a panel for linear and one for rotary ones. `per`: of the unit, "/s".
+void add_actuators(figure::Figure& f, const Analysis& a, ColumnList* list, OfMotion what, const std::string& words, const std::string& per);
 
 }  // namespace pmreport::section

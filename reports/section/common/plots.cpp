@@ -15,11 +15,15 @@ constexpr double rounding = 1e-13;
 double shown(double x) { return std::abs(x) < rounding ? 0 : x; }
 }  // namespace
 
+std::vector<ColumnId> columns_of(const std::vector<Trace>& curves) {
+  std::vector<ColumnId> out;
+  for (const Trace& c : curves) out.push_back(c.column);
+  return out;
+}
+
 figure::Panel panel(const Analysis& a, const std::string& title, const std::string& axis, const std::string& unit,
                     const std::vector<Trace>& curves) {
-  std::vector<std::string> names;
-  for (const Trace& c : curves) names.push_back(c.column);
-  const DisplayUnit d = display_unit(unit, shown(a.largest(names)));
+  const DisplayUnit d = display_unit(unit, shown(a.largest(columns_of(curves))));
   figure::Panel p;
   p.title = title;
   p.x = {"time", "s"};
@@ -47,10 +51,8 @@ std::vector<Trace> group(const Analysis& a, ColumnList* list, const std::string&
   const bool vector = name == "velocity" || name == "angular_velocity" || name == "acceleration" || name == "angular_acceleration";
   for (const Column& c : a.columns_of(list)) {
     if (c.group != name || (!unit.empty() && c.unit != (unit == "1" ? "" : unit))) continue;
-    std::string stem = vector ? c.name.substr(c.name.size() - 1) : c.name;  // a vector's components are labelled by their axes
-    for (const std::string_view suffix : {"_rate", "_acceleration", "_dynamic_force", "_force", "_deflection", "_angle"})
-      if (stem.ends_with(suffix)) stem.erase(stem.size() - suffix.size());
-    out.push_back({c.name, symbol(stem)});
+    // A vector's components are labelled by their axes.
+    out.push_back({c, symbol(vector ? c.name.substr(c.name.size() - 1) : analysis::owner_of(c))});
   }
   // x, y, z and alpha, beta, gamma in this order, whichever of them is the dependent one.
   if (name.starts_with("coordinate")) std::sort(out.begin(), out.end(), [](const Trace& x, const Trace& y) { return x.column < y.column; });
@@ -69,7 +71,7 @@ document::Table extremes(const Analysis& a, const std::string& caption, const st
   document::Table table{
       caption, {"quantity", "meaning", "smallest", "at", "largest", "at", "unit"}, {false, false, true, true, true, true, false}, {}};
   for (const Column& c : columns) {
-    const std::vector<double>& x = a.column(c.name);
+    const std::vector<double>& x = a.column(c);
     int low = -1, high = -1;
     for (int k = 0; k < a.samples(); ++k) {
       const double v = x[static_cast<std::size_t>(k)];
@@ -104,7 +106,7 @@ document::Data data_of(const Analysis& a, const std::string& name, ColumnList* l
   document::Data d{name, {"t [s]"}, {a.time()}};
   for (const Column& c : a.columns_of(list)) {
     d.headings.push_back(c.unit.empty() ? c.name : fmt::format("{} [{}]", c.name, c.unit));
-    d.columns.push_back(a.column(c.name));
+    d.columns.push_back(a.column(c));
   }
   return d;
 }

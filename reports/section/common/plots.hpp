@@ -10,8 +10,10 @@
 namespace pmreport::section {
 
 struct Trace {
-  std::string column, label;
+  ColumnId column;
+  std::string label;
 };
+std::vector<ColumnId> columns_of(const std::vector<Trace>& curves);
 
 // A panel of columns with one SI unit, scaled to the unit that reads best; samples that break a limit are shaded, gaps kept.
 figure::Panel panel(const Analysis& a, const std::string& title, const std::string& axis, const std::string& unit,

@@ -101,7 +101,7 @@ std::vector<std::string> singularity_sentences(const Analysis& a) {
   for (int k = 0; k < a.samples(); ++k)
     if (a.outcome(k) == Outcome::singular)
       out.push_back(fmt::format("t = {}: the pose is singular (condition number {}); forces have no value there.", show_time(a, k),
-                                format_number(a.column("condition")[static_cast<std::size_t>(k)], 3)));
+                                format_number(a.column(column_of(OfMachine::condition))[static_cast<std::size_t>(k)], 3)));
   return out;
 }
 

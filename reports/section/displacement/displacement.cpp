@@ -22,7 +22,8 @@ void add_joints(figure::Figure& f, const Analysis& a) {
   if (all.size() <= few) return add_panel(f, a, "joints", "motion from home", "rad", all);
   std::vector<std::pair<std::string, std::vector<Trace>>> kinds;
   for (const Trace& c : all) {
-    const std::string letters = c.column.substr(0, c.column.find_first_of("0123456789_"));
+    const std::string& name = c.column.name();
+    const std::string letters = name.substr(0, name.find_first_of("0123456789_"));
     const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.first == letters; });
     (found != kinds.end() ? *found : kinds.emplace_back(letters, std::vector<Trace>{})).second.push_back(c);
   }
@@ -57,7 +58,7 @@ Result displacement_section(const Analysis& a) {
                    {}};
   add_panel(f, a, "position", "position", "m", group(a, analysis::displacement_columns, "coordinate", "m"));
   add_panel(f, a, "orientation", "angle", "rad", group(a, analysis::displacement_columns, "coordinate", "rad"));
-  add_actuators(f, a, analysis::displacement_columns, "", linear_drives(a) ? "actuator length" : "actuator value", "");
+  add_actuators(f, a, analysis::displacement_columns, OfMotion::value, linear_drives(a) ? "actuator length" : "actuator value", "");
   for (const std::string name : {"derived", "reading"})
     for (const std::string unit : {"m", "rad", "1"})
       add_panel(f, a, name == "derived" ? "derived quantities" : "quantities of the source",

@@ -9,7 +9,7 @@ namespace {
 std::string glance(const Analysis& a, figure::Figure& f) {
   add_panel(f, a, "position", "position", "m", group(a, analysis::displacement_columns, "coordinate", "m"));
   add_panel(f, a, "orientation", "angle", "rad", group(a, analysis::displacement_columns, "coordinate", "rad"));
-  add_actuators(f, a, analysis::displacement_columns, "", linear_drives(a) ? "actuator length" : "actuator value", "");
+  add_actuators(f, a, analysis::displacement_columns, OfMotion::value, linear_drives(a) ? "actuator length" : "actuator value", "");
   return "position and orientation of the platform, displacement of the actuators";
 }
 

@@ -17,9 +17,9 @@ figure::Figure drive_figure(const Analysis& a) {
   figure::Figure f{
       "drives", "What the drives must give at their actuators' ends: force, and power.", "data/drives.csv", figure::Width::full, 2, {}};
   for (const std::string unit : {"m", "rad"})
-    if (const std::vector<Trace> curves = of_actuators(a, "_drive_force", unit); !curves.empty())
+    if (const std::vector<Trace> curves = of_actuators(a, OfActuator::drive_force, unit); !curves.empty())
       f.panels.push_back(panel(a, "drive " + effort(unit), effort(unit), effort_unit(unit), curves));
-  f.panels.push_back(panel(a, "drive power", "power", "W", of_actuators(a, "_drive_power")));
+  f.panels.push_back(panel(a, "drive power", "power", "W", of_actuators(a, OfActuator::drive_power)));
   return f;
 }
 
@@ -33,15 +33,15 @@ figure::Panel in_rpm(figure::Panel p, const std::string& si) {
 
 figure::Figure motor_figure(const Analysis& a) {
   figure::Figure f{"drives-motors", "Torque, speed and power of the motors.", "data/drives.csv", figure::Width::full, 2, {}};
-  f.panels.push_back(panel(a, "motor torque", "torque", "N*m", of_actuators(a, "_motor_torque")));
-  f.panels.push_back(in_rpm(panel(a, "motor speed", "speed", "rad/s", of_actuators(a, "_motor_speed")), "rad/s"));
-  f.panels.push_back(panel(a, "motor power", "power", "W", of_actuators(a, "_motor_power")));
+  f.panels.push_back(panel(a, "motor torque", "torque", "N*m", of_actuators(a, OfActuator::motor_torque)));
+  f.panels.push_back(in_rpm(panel(a, "motor speed", "speed", "rad/s", of_actuators(a, OfActuator::motor_speed)), "rad/s"));
+  f.panels.push_back(panel(a, "motor power", "power", "W", of_actuators(a, OfActuator::motor_power)));
   return f;
 }
 
 // The torque that passes on to the drive; the rest accelerates rotor and screw.
 std::vector<double> passed_on(const Analysis& a, std::size_t i) {
-  std::vector<double> torque = a.column(actuators(a)[i].name + "_drive_force");
+  std::vector<double> torque = a.column(column_of(actuators(a)[i], OfActuator::drive_force));
   for (double& x : torque) x /= train(a, i).ratio;
   return torque;
 }
@@ -57,7 +57,7 @@ figure::Figure torque_figure(const Analysis& a) {
       {}};
   for (std::size_t i = 0; i < actuators(a).size(); ++i) {
     if (!has_motor(a, i) || !(train(a, i).inertia > 0)) continue;
-    const std::string column = actuators(a)[i].name + "_motor_torque";
+    const ColumnId column = column_of(actuators(a)[i], OfActuator::motor_torque);
     const bool keys = f.panels.empty();
     figure::Panel p = share_panel(a, symbol(actuators(a)[i].name), "torque", "N*m",
                                   {{column, "drive", load_style}, {column, "rotor", inertia_style}, {column, "sum", total_style}}, keys);
@@ -79,17 +79,16 @@ figure::Figure plane_figure(const Analysis& a) {
                    figure::Width::full,
                    1,
                    {}};
-  std::vector<std::string> names;
-  for (const Trace& c : of_actuators(a, "_motor_torque")) names.push_back(c.column);
-  const DisplayUnit torque = display_unit("N*m", a.largest(names));
+  const DisplayUnit torque = display_unit("N*m", a.largest(columns_of(of_actuators(a, OfActuator::motor_torque))));
   figure::Panel p;
   p.title = "torque against speed";
   p.x = {"motor speed", "rpm"};
   p.y = {"motor torque", torque.label};
   for (std::size_t i = 0; i < actuators(a).size(); ++i) {
     if (!has_motor(a, i)) continue;
-    const std::string& name = actuators(a)[i].name;
-    figure::Series s{symbol(name), a.column(name + "_motor_speed"), a.column(name + "_motor_torque"), static_cast<int>(i)};
+    const Actuator& x = actuators(a)[i];
+    figure::Series s{symbol(x.name), a.column(column_of(x, OfActuator::motor_speed)), a.column(column_of(x, OfActuator::motor_torque)),
+                     static_cast<int>(i)};
     for (double& x : s.x) x *= rpm;
     for (double& y : s.y) y *= torque.per_si;
     p.series.push_back(std::move(s));

@@ -16,7 +16,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Integral of the negative part of a power by straight lines between the samples, cut where they cross zero; as a positive number [J].
-double given_back(const Analysis& a, const std::string& column) {
+double given_back(const Analysis& a, const ColumnId& column) {
   const std::vector<double>&p = a.column(column), &t = a.time();
   double sum = 0;
   for (std::size_t k = 0; k + 1 < p.size(); ++k) {
@@ -59,12 +59,11 @@ template <class F>
 std::vector<double> each(const Analysis& a, const std::string& unit, F&& f) {
   std::vector<double> out;
   for (std::size_t i = 0; i < actuators(a).size(); ++i)
-    if (actuators(a)[i].unit == unit) out.push_back(f(i, actuators(a)[i].name));
+    if (actuators(a)[i].unit == unit) out.push_back(f(i, actuators(a)[i]));
   return out;
 }
 
-double peak_value(const Analysis& a, const std::string& column) {
-  if (!a.has(column)) return nan;
+double peak_value(const Analysis& a, const ColumnId& column) {
   const Peak p = peak(a, column);
   return p.sample >= 0 ? p.value : nan;
 }
@@ -83,30 +82,32 @@ std::vector<document::Table> drive_tables(const Analysis& a) {
   for (const std::string unit : {"m", "rad"}) {
     const std::vector<std::string> names = names_of(a, unit);
     if (names.empty()) continue;
-    const auto of = [&](const std::string& suffix) {
-      return each(a, unit, [&](std::size_t, const std::string& name) { return peak_value(a, name + suffix); });
+    // Of a column of each, where the run has it.
+    const auto reduced = [&](OfActuator what, auto&& reduce) {
+      return each(a, unit, [&](std::size_t, const Actuator& x) {
+        const ColumnId column = column_of(x, what);
+        return a.has(column) ? reduce(column) : nan;
+      });
     };
-    const auto roots = [&](const std::string& suffix) {
-      return each(a, unit, [&](std::size_t, const std::string& name) { return a.has(name + suffix) ? rms(a, name + suffix) : nan; });
-    };
-    const auto back = [&](const std::string& suffix) {
-      return each(a, unit, [&](std::size_t, const std::string& name) { return a.has(name + suffix) ? given_back(a, name + suffix) : nan; });
-    };
+    const auto of = [&](OfActuator what) { return reduced(what, [&](const ColumnId& column) { return peak_value(a, column); }); };
+    const auto roots = [&](OfActuator what) { return reduced(what, [&](const ColumnId& column) { return rms(a, column); }); };
+    const auto back = [&](OfActuator what) { return reduced(what, [&](const ColumnId& column) { return given_back(a, column); }); };
     out.push_back(table_of(
         fmt::format(
             "Drives: largest {} and power by magnitude, root mean square, energy that comes back through the drive, share of the samples "
             "in which it is driven back.",
             effort(unit)),
         names,
-        {{"peak " + effort(unit), effort_unit(unit), of("_drive_force")},
-         {"RMS", effort_unit(unit), roots("_drive_force")},
-         {"peak power", "W", of("_drive_power")},
-         {"regenerated", "J", back("_drive_power")},
-         {"driven back", "%", each(a, unit, [&](std::size_t, const std::string& name) { return driven_back(a, name); })}}));
+        {{"peak " + effort(unit), effort_unit(unit), of(OfActuator::drive_force)},
+         {"RMS", effort_unit(unit), roots(OfActuator::drive_force)},
+         {"peak power", "W", of(OfActuator::drive_power)},
+         {"regenerated", "J", back(OfActuator::drive_power)},
+         {"driven back", "%", each(a, unit, [&](std::size_t, const Actuator& x) { return driven_back(a, x); })}}));
     const auto inertia = [&](bool largest) {
-      return each(a, unit, [&](std::size_t, const std::string& name) {
+      return each(a, unit, [&](std::size_t, const Actuator& actuator) {
         double out = nan;
-        for (const double x : a.column(name + "_reflected_inertia")) out = largest ? std::fmax(out, x) : std::fmin(out, x);
+        for (const double x : a.column(column_of(actuator, OfActuator::reflected_inertia)))
+          out = largest ? std::fmax(out, x) : std::fmin(out, x);
         return out;
       });
     };
@@ -114,22 +115,22 @@ std::vector<document::Table> drive_tables(const Analysis& a) {
     if (any_motor(a)) {
       out.push_back(
           table_of("Motors: largest torque, speed and power by magnitude, root mean square of the torque, energy that comes back.", names,
-                   {{"peak torque", "N*m", of("_motor_torque")},
-                    {"RMS torque", "N*m", roots("_motor_torque")},
-                    {"peak speed", "rpm", of("_motor_speed")},
-                    {"peak power", "W", of("_motor_power")},
-                    {"regenerated", "J", back("_motor_power")}}));
-      const auto at_motor = [&](std::size_t i, const std::string& name) {
+                   {{"peak torque", "N*m", of(OfActuator::motor_torque)},
+                    {"RMS torque", "N*m", roots(OfActuator::motor_torque)},
+                    {"peak speed", "rpm", of(OfActuator::motor_speed)},
+                    {"peak power", "W", of(OfActuator::motor_power)},
+                    {"regenerated", "J", back(OfActuator::motor_power)}}));
+      const auto at_motor = [&](std::size_t i, const Actuator& actuator) {
         double most = nan;
-        for (const double x : a.column(name + "_reflected_inertia")) most = std::fmax(most, x);
+        for (const double x : a.column(column_of(actuator, OfActuator::reflected_inertia))) most = std::fmax(most, x);
         return has_motor(a, i) ? most / (train(a, i).ratio * train(a, i).ratio) : nan;
       };
-      const auto rotor = [&](std::size_t i, const std::string&) { return has_motor(a, i) ? train(a, i).inertia : nan; };
+      const auto rotor = [&](std::size_t i, const Actuator&) { return has_motor(a, i) ? train(a, i).inertia : nan; };
       reflected.push_back({"most, at the motor", "kg*m^2", each(a, unit, at_motor)});
       reflected.push_back({"rotor and screw", "kg*m^2", each(a, unit, rotor)});
-      reflected.push_back({"load to rotor", "", each(a, unit, [&](std::size_t i, const std::string& name) {
-                             const double own = rotor(i, name);
-                             return own > 0 ? at_motor(i, name) / own : nan;
+      reflected.push_back({"load to rotor", "", each(a, unit, [&](std::size_t i, const Actuator& actuator) {
+                             const double own = rotor(i, actuator);
+                             return own > 0 ? at_motor(i, actuator) / own : nan;
                            })});
     }
     out.push_back(

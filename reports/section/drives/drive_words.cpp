@@ -58,7 +58,7 @@ std::vector<Paragraph> drive_words(const Analysis& a) {
     std::string most;
     double share = 0;
     for (const Actuator& x : actuators(a))
-      if (const double s = driven_back(a, x.name); s > share) share = s, most = symbol(x.name);
+      if (const double s = driven_back(a, x); s > share) share = s, most = symbol(x.name);
     tell(Paragraph::Tone::plain,
          divides
              ? "By the convention of the scenario the efficiency always divides: drive force = actuator force / efficiency, also where the "

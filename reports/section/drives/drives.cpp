@@ -34,10 +34,11 @@ document::Proof evidence(const Analysis& a) {
 
 std::vector<document::Value> values_of(const Analysis& a) {
   std::vector<document::Value> out;
-  for (const auto& [name, suffix, unit] :
-       {std::tuple{"peak_torque", "_motor_torque", "N*m"}, {"peak_speed", "_motor_speed", "rad/s"}, {"peak_power", "_motor_power", "W"}}) {
+  for (const auto& [name, what, unit] : {std::tuple{"peak_torque", OfActuator::motor_torque, "N*m"},
+                                         {"peak_speed", OfActuator::motor_speed, "rad/s"},
+                                         {"peak_power", OfActuator::motor_power, "W"}}) {
     double largest = nan;
-    for (const Trace& c : of_actuators(a, suffix)) largest = std::fmax(largest, std::abs(peak(a, c.column).value));
+    for (const Trace& c : of_actuators(a, what)) largest = std::fmax(largest, std::abs(peak(a, c.column).value));
     if (std::isfinite(largest)) out.push_back({"drives", name, unit, largest});
   }
   return out;

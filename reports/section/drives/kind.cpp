@@ -22,24 +22,26 @@ std::vector<scenario::Quantity> quantities(const scenario::Options*) {
 void keep_motors(const scenario::Measurable& measurable, std::size_t offset, scenario::Measured& measured) {
   if (!measurable.topology || measurable.drives.empty()) return;
   const std::vector<Actuator>& actuators = measurable.topology->actuators;
-  std::vector<std::string> without;
+  std::vector<const Actuator*> without;
   for (std::size_t i = 0; i < actuators.size(); ++i)
-    if (measurable.drives[i].ratio == 0) without.push_back(actuators[i].name);
+    if (measurable.drives[i].ratio == 0) without.push_back(&actuators[i]);
   const auto refuse = [&] {
-    const auto first = std::find_if(actuators.begin(), actuators.end(), [&](const Actuator& a) { return a.name == without.front(); });
+    std::vector<std::string> names;
+    for (const Actuator* a : without) names.push_back(a->name);
     throw scenario::ExpressionError(
         offset,
-        fmt::format("no motor is described for {}: [drive] does not say what stands between motor and actuator", listed(without, "and")),
-        scenario::how_to_give_motor(*first));
+        fmt::format("no motor is described for {}: [drive] does not say what stands between motor and actuator", listed(names, "and")),
+        scenario::how_to_give_motor(*without.front()));
   };
   if (measured.quantity.starts_with("drives.peak_") && without.size() == actuators.size()) refuse();
   std::vector<std::string> kept;
   for (const std::string& column : measured.columns) {
-    const auto idle = std::find_if(without.begin(), without.end(), [&](const std::string& a) { return column.starts_with(a + "_motor_"); });
+    const auto idle =
+        std::find_if(without.begin(), without.end(), [&](const Actuator* a) { return analysis::of_motor(*a, ColumnId::named(column)); });
     if (idle == without.end())
       kept.push_back(column);
     else if (measured.columns.size() == 1)
-      without = {std::string(*idle)};
+      without = {*idle};
   }
   if (!measured.columns.empty() && kept.empty()) refuse();
   measured.columns = kept;

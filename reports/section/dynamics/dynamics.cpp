@@ -21,16 +21,14 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // The shares that the scenario has; the rest is zero throughout.
-std::vector<Share> shares_of(const Analysis& a, const std::string& actuator) {
-  const auto present = [&](const char* suffix) {
-    std::vector<std::string> names;
-    for (const Trace& c : of_actuators(a, suffix)) names.push_back(c.column);
-    return a.largest(names) > 0;
-  };
+std::vector<Share> shares_of(const Analysis& a, const Actuator& actuator) {
   std::vector<Share> out;
-  if (present("_load_force")) out.push_back({actuator + "_load_force", "load", load_style});
-  if (present("_gravity_force")) out.push_back({actuator + "_gravity_force", "weights", gravity_style});
-  if (present("_inertia_force")) out.push_back({actuator + "_inertia_force", "inertia", inertia_style});
+  const auto add = [&](OfActuator share, const char* label, int style) {
+    if (a.largest(columns_of(of_actuators(a, share))) > 0) out.push_back({column_of(actuator, share), label, style});
+  };
+  add(OfActuator::load_force, "load", load_style);
+  add(OfActuator::gravity_force, "weights", gravity_style);
+  add(OfActuator::inertia_force, "inertia", inertia_style);
   return out;
 }
 
@@ -38,12 +36,10 @@ figure::Figure force_figure(const Analysis& a) {
   figure::Figure f{
       "dynamics", "What the actuators must exert for the mechanism to move as it does.", "data/dynamics.csv", figure::Width::full, 1, {}};
   for (const std::string unit : {"m", "rad"}) {
-    const std::vector<Trace> curves = of_actuators(a, "_dynamic_force", unit);
+    const std::vector<Trace> curves = of_actuators(a, OfActuator::dynamic_force, unit);
     if (curves.empty()) continue;
-    std::vector<std::string> names;
-    for (const Trace& c : curves) names.push_back(c.column);
     figure::Panel p = panel(a, "actuator " + effort(unit) + "s", effort(unit), effort_unit(unit), curves);
-    add_limit_lines(p, a, a.scenario().limits.force, unit, display_unit(effort_unit(unit), a.largest(names)).per_si);
+    add_limit_lines(p, a, a.scenario().limits.force, unit, display_unit(effort_unit(unit), a.largest(columns_of(curves))).per_si);
     if (!p.lines.empty()) f.caption += " Lines: the limits of the scenario.";
     f.panels.push_back(std::move(p));
   }
@@ -59,9 +55,9 @@ figure::Figure share_figure(const Analysis& a) {
                    2,
                    {}};
   for (const Actuator& x : a.machine().topology().actuators) {
-    std::vector<Share> shares = shares_of(a, x.name);
+    std::vector<Share> shares = shares_of(a, x);
     if (shares.size() < 2) continue;
-    shares.push_back({x.name + "_dynamic_force", "sum", total_style});
+    shares.push_back({column_of(x, OfActuator::dynamic_force), "sum", total_style});
     f.panels.push_back(share_panel(a, symbol(x.name), effort(x.unit), effort_unit(x.unit), shares, f.panels.empty()));
   }
   return f;
@@ -76,17 +72,16 @@ figure::Figure power_figure(const Analysis& a) {
       figure::Width::full,
       2,
       {}};
-  const std::vector<Trace> powers = of_actuators(a, "_power");
-  std::vector<std::string> names;
-  for (const Trace& c : powers) names.push_back(c.column);
+  const std::vector<Trace> powers = of_actuators(a, OfActuator::power);
   figure::Panel each = panel(a, "power of the actuators", "power", "W", powers);
-  add_limit_lines(each, a, a.scenario().limits.power, "", display_unit("W", a.largest(names)).per_si);
+  add_limit_lines(each, a, a.scenario().limits.power, "", display_unit("W", a.largest(columns_of(powers))).per_si);
   f.panels.push_back(std::move(each));
-  std::vector<Share> sums{{"total_power", "actuators", total_style}};
-  if (a.largest({"load_power"}) > 0) sums.push_back({"load_power", "load", load_style});
+  std::vector<Share> sums{{column_of(OfMachine::total_power), "actuators", total_style}};
+  if (const ColumnId load = column_of(OfMachine::load_power); a.largest({load}) > 0) sums.push_back({load, "load", load_style});
   f.panels.push_back(share_panel(a, "power of all", "power", "W", sums, true));
-  std::vector<Share> energies{{"kinetic_energy", "kinetic", inertia_style}};
-  if (!a.scenario().load.gravity.isZero()) energies.push_back({"potential_energy", "potential, from its start", gravity_style});
+  std::vector<Share> energies{{column_of(OfMachine::kinetic_energy), "kinetic", inertia_style}};
+  if (!a.scenario().load.gravity.isZero())
+    energies.push_back({column_of(OfMachine::potential_energy), "potential, from its start", gravity_style});
   figure::Panel energy = share_panel(a, "energy", "energy", "J", energies, true);
   if (energies.size() > 1) {  // an offset that depends on the place of the origin alone
     std::vector<double>& potential = energy.series.back().y;
@@ -108,20 +103,23 @@ document::Table actuator_table(const Analysis& a, const std::optional<analysis::
   std::vector<Row> rows;
   const std::vector<Actuator>& actuators = a.machine().topology().actuators;
   for (std::size_t i = 0; i < actuators.size(); ++i) {
-    const std::string& name = actuators[i].name;
-    if (actuators[i].unit != unit) continue;
-    const Peak force = peak(a, name + "_dynamic_force");
-    const double inertia = force.sample >= 0 && force.value != 0
-                               ? a.column(name + "_inertia_force")[static_cast<std::size_t>(force.sample)] / force.value
-                               : nan;
-    rows.push_back({symbol(name), force, peak(a, name + "_power"), rms(a, name + "_dynamic_force"), inertia,
+    const Actuator& actuator = actuators[i];
+    if (actuator.unit != unit) continue;
+    const ColumnId whole = column_of(actuator, OfActuator::dynamic_force);
+    const Peak force = peak(a, whole);
+    const double inertia =
+        force.sample >= 0 && force.value != 0
+            ? a.column(column_of(actuator, OfActuator::inertia_force))[static_cast<std::size_t>(force.sample)] / force.value
+            : nan;
+    rows.push_back({symbol(actuator.name), force, peak(a, column_of(actuator, OfActuator::power)), rms(a, whole), inertia,
                     work ? work->actuators[i] : nan, work ? work->regenerated[i] : nan});
   }
   if (sums) {
     double regenerated = 0;
     if (work)
       for (const double x : work->regenerated) regenerated += x;
-    rows.push_back({"all", {-1, nan}, peak(a, "total_power"), nan, nan, work ? work->work() : nan, work ? regenerated : nan});
+    rows.push_back(
+        {"all", {-1, nan}, peak(a, column_of(OfMachine::total_power)), nan, nan, work ? work->work() : nan, work ? regenerated : nan});
   }
   const auto column = [&](const std::string& title, const std::string& si, auto&& value) {
     std::vector<double> values;
@@ -157,9 +155,9 @@ std::vector<document::Value> values_of(const Analysis& a, const std::optional<an
       if (const Peak p = peak(a, c.column); p.sample >= 0) value = std::fmax(value, std::abs(p.value));
     if (std::isfinite(value)) out.push_back({"dynamics", name, si, value});
   };
-  largest("peak_force", "N", of_actuators(a, "_dynamic_force", "m"));
-  largest("peak_torque", "N*m", of_actuators(a, "_dynamic_force", "rad"));
-  largest("peak_power", "W", of_actuators(a, "_power"));
+  largest("peak_force", "N", of_actuators(a, OfActuator::dynamic_force, "m"));
+  largest("peak_torque", "N*m", of_actuators(a, OfActuator::dynamic_force, "rad"));
+  largest("peak_power", "W", of_actuators(a, OfActuator::power));
   if (work) {
     double regenerated = 0;
     for (const double x : work->regenerated) regenerated += x;
@@ -223,7 +221,8 @@ Result dynamics_section(const Analysis& a, const DynamicsOptions& r) {
   s.blocks.push_back(force_figure(a));
   if (figure::Figure shares = share_figure(a); !shares.panels.empty()) s.blocks.push_back(std::move(shares));
   s.blocks.push_back(power_figure(a));
-  const bool linear = !of_actuators(a, "_dynamic_force", "m").empty(), rotary = !of_actuators(a, "_dynamic_force", "rad").empty();
+  const bool linear = !of_actuators(a, OfActuator::dynamic_force, "m").empty(),
+             rotary = !of_actuators(a, OfActuator::dynamic_force, "rad").empty();
   if (linear) s.blocks.push_back(actuator_table(a, work, "m", !rotary));
   if (rotary) s.blocks.push_back(actuator_table(a, work, "rad", true));
   for (document::Block& b : equations_of_motion(a, r.equations)) s.blocks.push_back(std::move(b));

@@ -139,18 +139,16 @@ class JointFigure {
   figure::Panel panel_of(int limb, const std::vector<int>& joints) const {
     const std::string unit = moment_ ? "N*m" : "N", word = moment_ ? "moment" : "force";
     std::vector<Trace> curves;
-    std::vector<std::string> columns;
-    for (const int j : joints) {
-      curves.push_back({joint(j).name + (moment_ ? "_moment" : "_force"), joint(j).name + (doubtful(j) ? least_norm_mark : "")});
-      columns.push_back(curves.back().column);
-    }
+    for (const int j : joints)
+      curves.push_back(
+          {column_of(joint(j), moment_ ? OfJoint::moment : OfJoint::force), joint(j).name + (doubtful(j) ? least_norm_mark : "")});
     figure::Panel p = panel(a_,
                             limb > 0                          ? fmt::format("limb {}", limb)
                             : joints_.size() == joints.size() ? "joints"
                                                               : "beside the limbs",
                             word, unit, curves);
     set_styles(p, joints);
-    add_limits(p, joints, display_unit(unit, a_.largest(columns)).per_si);
+    add_limits(p, joints, display_unit(unit, a_.largest(columns_of(curves))).per_si);
     return p;
   }
 

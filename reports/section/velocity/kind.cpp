@@ -7,7 +7,7 @@ namespace pmreport::section {
 namespace {
 
 std::string glance(const Analysis& a, figure::Figure& f) {
-  add_actuators(f, a, analysis::velocity_columns, "_rate", "actuator rate", "/s");
+  add_actuators(f, a, analysis::velocity_columns, OfMotion::rate, "actuator rate", "/s");
   return "their rates";
 }
 

@@ -60,11 +60,11 @@ Result velocity_section(const Analysis& a) {
                    figure::Width::full,
                    2,
                    {}};
-  add_actuators(f, a, analysis::velocity_columns, "_rate", "actuator rate", "/s");
+  add_actuators(f, a, analysis::velocity_columns, OfMotion::rate, "actuator rate", "/s");
   add_panel(f, a, "velocity of the platform", "velocity", "m/s", group(a, analysis::velocity_columns, "velocity"));
   add_panel(f, a, "angular velocity of the platform", "angular velocity", "rad/s",
             group(a, analysis::velocity_columns, "angular_velocity"));
-  add_panel(f, a, "condition number of G", "condition number", "", {{"condition", ""}});
+  add_panel(f, a, "condition number of G", "condition number", "", {{column_of(OfMachine::condition), ""}});
   s.blocks.push_back(f);
   s.blocks.push_back(
       extremes(a, "Extremes over the motion.",

@@ -9,6 +9,7 @@
 #include <tests/scenario/trial.hpp>
 
 using namespace pmreport;
+using analysis::ColumnId;
 using Catch::Contains;
 
 namespace {
@@ -39,7 +40,7 @@ TEST_CASE("driven actuators are proved by inverse displacement: values, rates an
     CAPTURE(e.claim);
     CHECK(e.passed());
   }
-  CHECK(r.analysis.column("s_rate")[7] == Approx(0.03 * std::cos(0.35)));
+  CHECK(r.analysis.column(ColumnId::named("s_rate"))[7] == Approx(0.03 * std::cos(0.35)));
   CHECK(section::prescribed_evidence(Run("theta = \"1 rad\"\n").analysis).empty());
 }
 
@@ -62,8 +63,8 @@ TEST_CASE("samples beyond a singular surface have no pose, and the demand of rea
   const Run r(far);
   const int lost = r.analysis.count(section::Outcome::unreachable);
   CHECK(lost > 10);
-  CHECK(std::isnan(r.analysis.column("s").back()));
-  CHECK(std::isfinite(r.analysis.column("s").front()));
+  CHECK(std::isnan(r.analysis.column(ColumnId::named("s")).back()));
+  CHECK(std::isfinite(r.analysis.column(ColumnId::named("s")).front()));
   const auto told = section::reach_sentences(r.analysis);
   REQUIRE(told.size() == 1);
   CHECK_THAT(told[0], Contains("The motion meets a singular surface at t = 0.") && Contains(std::to_string(lost) + " samples from t = ") &&

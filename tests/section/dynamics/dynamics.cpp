@@ -16,6 +16,7 @@
 #include <numbers>
 
 using namespace pmreport;
+using analysis::ColumnId;
 using std::numbers::pi;
 
 namespace {
@@ -64,7 +65,9 @@ struct Run {
   explicit Run(const std::string& text)
       : loaded(scenario::load_text(text, "a.toml", lift(), section::kinds())),
         analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
-  double at(const std::string& column, int sample) const { return analysis.column(column)[static_cast<std::size_t>(sample)]; }
+  double at(const std::string& column, int sample) const {
+    return analysis.column(ColumnId::named(column))[static_cast<std::size_t>(sample)];
+  }
   scenario::Loaded loaded;
   section::Analysis analysis;
 };
@@ -121,11 +124,11 @@ TEST_CASE("forces in motion take memory only where something asks for them") {
   const Run none(circuit("[[section]]\nkind = \"displacement\"\n")), some(circuit(dynamics)),
       limited(circuit("[limits]\nactuator_force = { q = \"60 N\" }\n[[section]]\nkind = \"displacement\"\n"));
   CHECK_FALSE(none.analysis.has_dynamics());
-  CHECK_FALSE(none.analysis.has("q_dynamic_force"));
+  CHECK_FALSE(none.analysis.has(ColumnId::named("q_dynamic_force")));
   CHECK(none.analysis.columns_of(analysis::dynamics_columns).empty());
-  CHECK(some.analysis.has("q_dynamic_force"));
-  CHECK_FALSE(some.analysis.has("q_drive_force"));
-  CHECK_FALSE(some.analysis.has("R_force"));
+  CHECK(some.analysis.has(ColumnId::named("q_dynamic_force")));
+  CHECK_FALSE(some.analysis.has(ColumnId::named("q_drive_force")));
+  CHECK_FALSE(some.analysis.has(ColumnId::named("R_force")));
   CHECK(limited.analysis.has_dynamics());
 }
 
@@ -249,8 +252,8 @@ TEST_CASE("bodies alike are counted together, and those without mass named apart
 
 TEST_CASE("a screw turns force and way into torque and angle, and spins its own inertia") {
   const Run r(circuit("[drive]\nefficiency = 0.8\n[drive.q]\nlead = \"10 mm\"\ninertia = \"2e-5 kg*m^2\"\n" + drives));
-  CHECK_FALSE(r.analysis.has("psi_motor_torque"));  // no motor is given for the disc
-  for (const int k : {5, 90, 130}) {                // up, down, down
+  CHECK_FALSE(r.analysis.has(ColumnId::named("psi_motor_torque")));  // no motor is given for the disc
+  for (const int k : {5, 90, 130}) {                                 // up, down, down
     CAPTURE(k);
     const double t = 0.01 * k, a = -0.2 * pi * pi * std::sin(pi * t), v = 0.2 * pi * std::cos(pi * t);
     const double force = 56.05 + 5 * a, drive = v > 0 ? force / 0.8 : force * 0.8, turns = 1 / 0.010;

@@ -9,6 +9,7 @@
 #include <numbers>
 
 using namespace pmreport;
+using analysis::ColumnId;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -94,9 +95,9 @@ TEST_CASE("what is shown of a shared force is the least-norm share of it") {
   // 7 N go through P1, or through R and then P2: a in the one, b in the two, a + b = 7, a^2 + 2 b^2 least: a = 14/3, b = 7/3.
   const gantry::Run r(pushed);
   for (const int k : {0, 3, 20}) {
-    CHECK(r.analysis.column("P1_force_y")[static_cast<std::size_t>(k)] == Approx(-14.0 / 3));
-    CHECK(r.analysis.column("R_force_y")[static_cast<std::size_t>(k)] == Approx(-7.0 / 3));
-    CHECK(r.analysis.column("limb1_force_y")[static_cast<std::size_t>(k)] == Approx(-7.0 / 3));
+    CHECK(r.analysis.column(ColumnId::named("P1_force_y"))[static_cast<std::size_t>(k)] == Approx(-14.0 / 3));
+    CHECK(r.analysis.column(ColumnId::named("R_force_y"))[static_cast<std::size_t>(k)] == Approx(-7.0 / 3));
+    CHECK(r.analysis.column(ColumnId::named("limb1_force_y"))[static_cast<std::size_t>(k)] == Approx(-7.0 / 3));
   }
 }
 
@@ -104,7 +105,7 @@ TEST_CASE("a unique component beside indeterminate ones is that of Newton") {
   const gantry::Run r(pushed);  // the platform pulls the trolley along, whose reaction holds it back
   for (std::size_t k = 0; k < 21; ++k) {
     const double w = std::numbers::pi, acceleration = -0.05 * w * w * std::sin(w * r.analysis.time()[k]);
-    CHECK(r.analysis.column("R_force_x")[k] == Approx(-gantry::trolley_mass * acceleration).margin(1e-13));
+    CHECK(r.analysis.column(ColumnId::named("R_force_x"))[k] == Approx(-gantry::trolley_mass * acceleration).margin(1e-13));
   }
 }
 
