@@ -31,8 +31,10 @@ Arrows arrows_between_files() {
       text << file.rdbuf();
       const std::string source = text.str();
       out[from];
-      for (std::sregex_iterator i(source.begin(), source.end(), include), end; i != end; ++i)
-        out[from].insert(((*i)[2] == "pmreport" ? "core/" : "") + (*i)[1].str());
+      for (std::sregex_iterator i(source.begin(), source.end(), include), end; i != end; ++i) {
+        const std::string to = ((*i)[2] == "pmreport" ? "core/" : "") + (*i)[1].str();
+        if (to != from) out[from].insert(to);  // a guide may show how it is itself included
+      }
     }
   return out;
 }

@@ -1,3 +1,4 @@
+// What a plugin can do wrong.
 #pragma once
 
 #include <pmreport/plugin.h>

@@ -1,6 +1,7 @@
 #include <core/mechanics/model/topology_reader.hpp>
 
 #include <core/mechanics/model/contract.hpp>
+#include <core/mechanics/model/machine.hpp>
 
 #include <fmt/core.h>
 

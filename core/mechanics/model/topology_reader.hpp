@@ -1,7 +1,8 @@
 // What a mechanism declares of itself, as structs of C++.
 #pragma once
 
-#include <core/mechanics/model/mechanism_error.hpp>
+#include <pmreport/plugin.h>
+#include <pmreport/topology.hpp>
 
 namespace pmreport::mechanics {
 
