@@ -13,7 +13,7 @@ namespace {
 using mechanics::DriveTrain;
 using mechanics::EfficiencyConvention;
 
-bool linear(const Actuator& a) { return a.unit == "m"; }
+bool linear(const Actuator& a) { return a.sense() == Sense::linear; }
 
 // What one table says. A key that is there keeps its place although its value may be wrong, and told.
 struct Said {

@@ -68,7 +68,7 @@ std::vector<double> read_limit(TableReader& table, std::string_view key, const s
 std::vector<Subject> actuators_of(const Topology& t, const char* unit_if_linear, const char* unit_if_rotary) {
   std::vector<Subject> out;
   for (const Actuator& a : t.actuators) {
-    const bool linear = a.unit == "m";
+    const bool linear = a.sense() == Sense::linear;
     out.push_back({a.name, linear ? unit_if_linear : unit_if_rotary, linear ? "linear" : "rotary"});
   }
   return out;

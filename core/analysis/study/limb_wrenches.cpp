@@ -37,7 +37,7 @@ Vector6d beside_limbs(const Analysis& a, const mechanics::State& state, int samp
     for (int c = 0; c < (joint.kind == JointKind::spherical ? 3 : 6); ++c) w(c) = a.column(reaction_column(joint, c, true))[k];
     for (const Actuator& x : t.actuators)
       if (x.joint == static_cast<int>(j))
-        w.segment<3>(x.unit == "m" ? 0 : 3) += a.column(column_of(x, OfActuator::dynamic_force))[k] * state.joints[j].axis[0];
+        w.segment<3>(x.sense() == Sense::linear ? 0 : 3) += a.column(column_of(x, OfActuator::dynamic_force))[k] * state.joints[j].axis[0];
     w.tail<3>() += (state.joints[j].centre - state.bodies[static_cast<std::size_t>(t.platform)].origin).cross(w.head<3>());
     out += joint.b == t.platform ? w : Vector6d(-w);
   }

@@ -7,8 +7,8 @@
 namespace pmreport::mechanics {
 
 struct Followed {
-  Trajectory trajectory;               // all times; without a pose from the obstacle on
-  std::size_t reached = 0;             // samples with a pose
+  Trajectory trajectory;            // all times; without a pose from the obstacle on
+  std::size_t reached = 0;          // samples with a pose
   Outcome outcome = Outcome::good;  // what ends it
 };
 

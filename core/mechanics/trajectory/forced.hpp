@@ -7,8 +7,8 @@
 namespace pmreport::mechanics {
 
 struct Forced {
-  Trajectory trajectory;              // all times; without a pose beyond the end
-  std::size_t reached = 0;            // samples up to the end
+  Trajectory trajectory;            // all times; without a pose beyond the end
+  std::size_t reached = 0;          // samples up to the end
   Outcome outcome = Outcome::good;  // what ends it
 };
 

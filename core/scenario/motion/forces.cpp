@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <core/mechanics/model/effort.hpp>
 #include <core/scenario/motion/forces.hpp>
 #include <core/text/text.hpp>
 #include <memory>
@@ -13,7 +14,8 @@ namespace {
 constexpr Dimension time_dimension{0, 0, 1, 0};
 constexpr const char* for_all = "all";  // the key of the force of all actuators that have none of their own
 
-Dimension force_of(const std::string& unit) { return parse_unit(unit == "m" ? "N" : "N*m")->dimension; }
+Dimension force_of(const std::string& unit) { return parse_unit(mechanics::unit_of_effort(sense_of(unit)))->dimension; }
+const char* word_of(const Moved& m) { return sense_of(m.unit) == Sense::linear ? "linear" : "rotary"; }
 
 // What the force of one actuator may name: its own value, rate and value at home; then value and rate of any actuator by its name. A name
 // that says something else in an expression is left out.
@@ -90,7 +92,7 @@ bool read_each(const Value& content, Place place, const Movables& movables, Forc
     } else if (first_of_all != nullptr && first_of_all->unit != m.unit) {
       reader.diagnostics().add(all->place,
                                fmt::format("expected forces by name, seen one for all: {} is {}, and {} is {}", first_of_all->name,
-                                           first_of_all->unit == "m" ? "linear" : "rotary", m.name, m.unit == "m" ? "linear" : "rotary"),
+                                           word_of(*first_of_all), m.name, word_of(m)),
                                fmt::format("write {} = \"...\" and {} = \"...\"", first_of_all->name, m.name));
       all_sound = sound = false;
       continue;

@@ -1,3 +1,4 @@
+#include <core/mechanics/model/effort.hpp>
 #include <reports/section/common/force_plots.hpp>
 
 #include <reports/section/common/words.hpp>
@@ -49,8 +50,8 @@ figure::Panel share_panel(const Analysis& a, const std::string& title, const std
   return p;
 }
 
-std::string effort(const std::string& actuator_unit) { return actuator_unit == "m" ? "force" : "torque"; }
-std::string effort_unit(const std::string& actuator_unit) { return actuator_unit == "m" ? "N" : "N*m"; }
+std::string effort(const std::string& actuator_unit) { return mechanics::word_of_effort(sense_of(actuator_unit)); }
+std::string effort_unit(const std::string& actuator_unit) { return mechanics::unit_of_effort(sense_of(actuator_unit)); }
 
 TableColumn::TableColumn(const std::string& title, const std::string& unit, const std::vector<double>& values) {
   double largest = 0;

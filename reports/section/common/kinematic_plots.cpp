@@ -9,7 +9,7 @@ void add_panel(figure::Figure& f, const Analysis& a, const std::string& title, c
   if (!curves.empty()) f.panels.push_back(panel(a, title, axis, unit, curves));
 }
 
-bool linear_drives(const Analysis& a) { return a.machine().topology().actuators.front().unit == "m"; }
+bool linear_drives(const Analysis& a) { return a.machine().topology().actuators.front().sense() == Sense::linear; }
 
 std::vector<Column> columns_in(const Analysis& a, ColumnList* list, std::initializer_list<std::string_view> groups) {
   std::vector<Column> out;

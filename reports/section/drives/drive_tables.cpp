@@ -1,4 +1,5 @@
 // The tables of the section `drives`.
+#include <core/mechanics/model/effort.hpp>
 #include <reports/section/common/force_plots.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/drives/drives.hpp>
@@ -52,7 +53,7 @@ document::Table table_of(const std::string& caption, const std::vector<std::stri
   return table;
 }
 
-std::string word_of(const std::string& unit) { return unit == "m" ? "kg" : "kg*m^2"; }
+std::string word_of(const std::string& unit) { return mechanics::unit_of_inertia(sense_of(unit)); }
 
 // A number of each actuator of a unit; NaN where it has none.
 template <class F>

@@ -29,8 +29,8 @@ std::string listed(const Analysis& a, const std::vector<std::size_t>& indices) {
 std::string train_words(const DriveTrain& d, const std::string& unit) {
   std::string out = fmt::format("efficiency {}", format_number(d.efficiency, 4));
   if (d.ratio > 0) {
-    out += unit == "m" ? fmt::format(", screw of lead {}", show(2 * std::numbers::pi / d.ratio, "m"))
-                       : fmt::format(", gear ratio {}", format_number(d.ratio, 5));
+    out += sense_of(unit) == Sense::linear ? fmt::format(", screw of lead {}", show(2 * std::numbers::pi / d.ratio, "m"))
+                                           : fmt::format(", gear ratio {}", format_number(d.ratio, 5));
     if (d.inertia > 0) out += fmt::format(", rotor and screw {} kg·m²", typeset(format_number(d.inertia, 4)));
   }
   return out;

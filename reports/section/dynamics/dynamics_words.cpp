@@ -1,3 +1,5 @@
+#include <core/linear/eigenvalues.hpp>
+#include <core/mechanics/model/effort.hpp>
 #include <reports/section/dynamics/dynamics_words.hpp>
 
 #include <core/analysis/samples/motion_probe.hpp>
@@ -6,7 +8,6 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -33,7 +34,7 @@ double total_mass(const Topology& t) {
 // "kg·m" between a length and an angle, "kg" between two lengths.
 std::string unit_of_mass(const Analysis& a) {
   bool length = false, angle = false;
-  for (const Coordinate& c : a.machine().topology().coordinates) (c.unit == "m" ? length : angle) = true;
+  for (const Coordinate& c : a.machine().topology().coordinates) (c.sense() == Sense::linear ? length : angle) = true;
   if (length && angle) return "kg between lengths, kg·m between a length and an angle, kg·m² between angles";
   return length ? "kg" : "kg·m²";
 }
@@ -44,12 +45,12 @@ std::string number(double x, double scale) { return typeset(format_number(std::a
 double condition_of(const Analysis& a, mechanics::SmallMatrix mass) {
   const std::vector<Coordinate>& c = a.machine().topology().coordinates;
   for (std::size_t i = 0; i < c.size(); ++i) {
-    if (c[i].unit == "m") continue;
+    if (c[i].sense() == Sense::linear) continue;
     mass.row(static_cast<Eigen::Index>(i)) /= a.length();
     mass.col(static_cast<Eigen::Index>(i)) /= a.length();
   }
-  const Eigen::SelfAdjointEigenSolver<mechanics::SmallMatrix> eigen(mass, Eigen::EigenvaluesOnly);
-  return eigen.eigenvalues().maxCoeff() / eigen.eigenvalues().minCoeff();
+  const mechanics::SmallVector eigenvalues = linear::symmetric_eigenvalues(mass);
+  return eigenvalues.maxCoeff() / eigenvalues.minCoeff();
 }
 
 Table equation_table(const Analysis& a, const std::string& time, const mechanics::EquationsOfMotion& e) {
@@ -73,7 +74,7 @@ Table equation_table(const Analysis& a, const std::string& time, const mechanics
     }
     row.push_back(number(e.coriolis(at), 1));
     row.push_back(number(e.gravity(at), 1));
-    row.push_back(coordinates[i].unit == "m" ? "N" : "N·m");
+    row.push_back(coordinates[i].sense() == Sense::linear ? "N" : "N·m");
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -159,7 +160,7 @@ std::vector<document::Block> equations_of_motion(const Analysis& a, const std::v
     reflected.headings.push_back("t = " + time);
     reflected.numeric.push_back(true);
     for (std::size_t i = 0; i < actuators.size(); ++i)
-      reflected.rows[i].push_back(show(inertia(static_cast<Eigen::Index>(i)), actuators[i].unit == "m" ? "kg" : "kg*m^2"));
+      reflected.rows[i].push_back(show(inertia(static_cast<Eigen::Index>(i)), mechanics::unit_of_inertia(actuators[i].sense())));
   }
   if (reflected.headings.size() > 1) out.push_back(std::move(reflected));
   return out;

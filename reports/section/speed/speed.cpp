@@ -85,11 +85,11 @@ document::Data data_of(const Analysis& a, const SpeedStudy& study) {
   for (const mechanics::SpeedLimit& l : study.feasible().limits) {
     const auto i = static_cast<std::size_t>(l.index);
     const bool joint = l.kind == Kind::joint_force || l.kind == Kind::joint_moment;
-    const char* of = l.kind == Kind::actuator_speed        ? "rate"
-                     : l.kind == Kind::actuator_power      ? "power"
-                     : l.kind == Kind::joint_moment        ? "moment"
-                     : joint || t.actuators[i].unit == "m" ? "force"
-                                                           : "torque";
+    const char* of = l.kind == Kind::actuator_speed                     ? "rate"
+                     : l.kind == Kind::actuator_power                   ? "power"
+                     : l.kind == Kind::joint_moment                     ? "moment"
+                     : joint || t.actuators[i].sense() == Sense::linear ? "force"
+                                                                        : "torque";
     d.headings.push_back(fmt::format("{}_{}_largest_s", joint ? t.joints[i].name : t.actuators[i].name, of));
     d.columns.push_back(l.largest);
   }

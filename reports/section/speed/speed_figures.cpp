@@ -64,8 +64,8 @@ figure::Figure phase_plane(const Analysis& a, const SpeedStudy& study) {
   p.x = {"time of the motion as written", "s"};
   p.y = {"path speed s", ""};
   for (const Kind kind : {Kind::actuator_force, Kind::actuator_speed, Kind::actuator_power, Kind::joint_force, Kind::joint_moment}) {
-    figure::Series s{word_of(kind, a.machine().topology().actuators.front().unit == "rad"), a.time(), std::vector<double>(n, nan),
-                     figure::style_of(static_cast<int>(kind) + (kind >= Kind::joint_force ? 1 : 0), 0)};
+    figure::Series s{word_of(kind, a.machine().topology().actuators.front().sense() == Sense::rotary), a.time(),
+                     std::vector<double>(n, nan), figure::style_of(static_cast<int>(kind) + (kind >= Kind::joint_force ? 1 : 0), 0)};
     bool any = false;
     for (std::size_t k = 0; k < n; ++k) {
       if (!seen(k) || (binding(k) != kind && (k == 0 || binding(k - 1) != kind))) continue;
