@@ -10,10 +10,10 @@ namespace pmreport::scenario {
 // One number of the report: a column, or a group of columns, reduced; or a quantity that a section names.
 struct Measured {
   std::string that;       // as written: "max(abs(actuator_force))", "mobility.redundant"
-  std::string quantity;   // "mobility.redundant" (see quantities.hpp); empty: reduced columns
+  std::string quantity;   // "mobility.redundant", of a kind of section; empty: reduced columns
   std::string reduction;  // "min", "max", "rms", "at"
   bool absolute = false;
-  std::vector<std::string> columns;  // resolved column names: l1_force, ... (see columns.hpp)
+  std::vector<std::string> columns;  // resolved column names: l1_force, ...
   double time = 0;                   // for "at": at(l1, 2.5 s)
   std::string unit;                  // SI
   bool count = false;                // a whole number

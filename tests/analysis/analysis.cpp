@@ -4,37 +4,15 @@
 
 #include <core/analysis/analysis.hpp>
 #include <reports/section/kinds.hpp>
+#include <tests/analysis/run.hpp>
 #include <tests/scenario/trial.hpp>
 
 #include <cmath>
 
 using namespace pmreport;
 using analysis::ColumnId;
-
-namespace {
-
-struct Run {
-  explicit Run(const std::string& text)
-      : loaded(scenario::load_text(text, "a.toml", stage::source(), section::kinds())),
-        analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
-  scenario::Loaded loaded;
-  analysis::Analysis analysis;
-};
-
-const std::string feeler_too_far = R"toml(title = "Stage"
-[mechanism]
-use = "stage"
-parameters = { arm = "200 mm", dependent = "phi" }
-[motion]
-duration = "2 s"
-samples = 21
-x = "0 mm"
-y = "150 mm * t / 1 s"
-[[section]]
-kind = "displacement"
-)toml";
-
-}  // namespace
+using trial::feeler_too_far;
+using trial::Run;
 
 TEST_CASE("a broken stroke keeps its values and is told with time, value and limit") {
   const Run r(trial::with("20 mm * sin(2*pi*t/10 s)", "300 mm * t / 1 s"));  // passes 500 mm after 1.667 s, samples every 0.1 s

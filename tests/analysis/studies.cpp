@@ -7,21 +7,15 @@
 #include <core/analysis/study/motion_work.hpp>
 #include <core/analysis/study/prescribed.hpp>
 #include <core/analysis/study/speed_study.hpp>
+#include <tests/analysis/run.hpp>
 #include <tests/scenario/trial.hpp>
 
 #include <cmath>
 
 using namespace pmreport;
+using trial::Run;
 
 namespace {
-
-struct Run {
-  explicit Run(const std::string& text)
-      : loaded(scenario::load_text(text, "a.toml", stage::source(), section::kinds())),
-        analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
-  scenario::Loaded loaded;
-  analysis::Analysis analysis;
-};
 
 // x goes 10 mm/s for 2 s, 21 samples.
 std::string steady(const std::string& more) { return trial::with("20 mm * sin(2*pi*t/10 s)", "10 mm * t / 1 s") + more; }

@@ -2,43 +2,21 @@
 #include <catch2/catch.hpp>
 
 #include <reports/section/common/words.hpp>
-#include <reports/section/kinds.hpp>
-#include <reports/section/make_report.hpp>
+#include <tests/analysis/run.hpp>
 #include <tests/scenario/trial.hpp>
 
 using namespace pmreport;
 
-namespace {
-
-std::vector<std::string> reach_sentences(const std::string& text) {
-  const scenario::Loaded loaded = scenario::load_text(text, "a.toml", stage::source(), section::kinds());
-  return section::reach_sentences({loaded.scenario, loaded.trajectory, *loaded.machine, {}, {}});
-}
-
-}  // namespace
-
 TEST_CASE("a broken stroke is told with time, value and limit") {
-  const scenario::Loaded loaded =
-      scenario::load_text(trial::with("20 mm * sin(2*pi*t/10 s)", "300 mm * t / 1 s"), "a.toml", stage::source(), section::kinds());
-  const section::Analysis a(loaded.scenario, loaded.trajectory, *loaded.machine, {}, {});
+  const trial::Run run(trial::with("20 mm * sin(2*pi*t/10 s)", "300 mm * t / 1 s"));
+  const section::Analysis& a = run.analysis;
   REQUIRE(a.breaches().size() == 1);
   CHECK(section::sentence(a, a.breaches()[0]) ==
         "t = 1.7 s to 2 s: q (slide) needs 600 mm, its stroke ends at 500 mm (worst at t = 2 s, 4 samples).");
 }
 
 TEST_CASE("samples out of reach are told with the mechanism's own reason") {
-  const auto told = reach_sentences(R"toml(title = "Stage"
-[mechanism]
-use = "stage"
-parameters = { arm = "200 mm", dependent = "phi" }
-[motion]
-duration = "2 s"
-samples = 21
-x = "0 mm"
-y = "150 mm * t / 1 s"
-[[section]]
-kind = "displacement"
-)toml");
+  const auto told = section::reach_sentences(trial::Run(trial::feeler_too_far).analysis);
   REQUIRE(told.size() == 1);
   CHECK(told[0] == "t = 1.4 s to 2 s: the mechanism cannot be assembled (7 samples): the feeler is too short.");
 }

@@ -17,8 +17,6 @@
 
 namespace pmreport::analysis {
 
-// Column of component c (0-2 force, 3-5 moment about the reference point) of the wrench of a limb on the platform: "limb2_moment_x".
-
 class LimbWrenches {
  public:
   LimbWrenches(const Analysis& a, const std::vector<int>& checked);  // `checked`: samples whose self-stresses are looked at
