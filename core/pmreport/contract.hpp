@@ -78,8 +78,16 @@ struct Instance {
       inertias.push_back(i);
     }
     for (const auto& j : t.joints) {
-      pm_joint o{
-          j.name.c_str(), static_cast<pm_joint_kind>(j.kind), j.a, j.b, {}, {}, j.stud >= 0 ? j.stud : j.b == t.platform ? j.a : j.b};
+      pm_joint o{j.name.c_str(),
+                 static_cast<pm_joint_kind>(j.kind),
+                 j.a,
+                 j.b,
+                 {},
+                 {},
+                 j.stud >= 0         ? j.stud
+                 : j.b == t.platform ? j.a
+                                     : j.b,
+                 {j.from.x(), j.from.y(), j.from.z()}};
       const double free = j.kind == JointKind::prismatic ? 10.0 : std::numbers::pi;
       for (std::size_t k = 0; k < 2; ++k) {
         o.min[k] = k < j.limits.size() ? j.limits[k].min : j.kind == JointKind::spherical ? 0.0 : -free;

@@ -25,6 +25,7 @@ struct Parameter {
   std::size_t count_min, count_max;
   std::span<const char* const> choices;
   bool chooses_working_mode = false;
+  const char* replaced_by = nullptr;
 
   // One number. `unit` is SI, `display` the unit that a reader expects; default and range are SI, the range inclusive.
   static constexpr Parameter number(const char* name, double value, Range range, const char* unit, const char* display, const char* title) {
@@ -58,6 +59,12 @@ struct Parameter {
     p.chooses_working_mode = true;
     return p;
   }
+  // A parameter that says nothing once `other` is given, as a radius of points that are listed: a scenario that gives both is refused.
+  constexpr Parameter unless(const char* other) const {
+    Parameter p = *this;
+    p.replaced_by = other;
+    return p;
+  }
 };
 
 constexpr pm_parameter info(const Parameter& p) {
@@ -75,7 +82,8 @@ constexpr pm_parameter info(const Parameter& p) {
           p.count_max,
           p.choices.data(),
           p.choices.size(),
-          p.chooses_working_mode ? 1 : 0};
+          p.chooses_working_mode ? 1 : 0,
+          p.replaced_by};
 }
 
 // A sentence for the user from words and numbers, six digits each, whatever the locale.

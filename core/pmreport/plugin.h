@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 #define PM_ABI_MAJOR 1u
-#define PM_ABI_MINOR 1u
+#define PM_ABI_MINOR 2u
 
 /* ---- Vocabulary ------------------------------------------------------------------------------------------------------------------- */
 
@@ -75,6 +75,8 @@ typedef struct pm_parameter {
   size_t choice_count;
   int32_t working_mode; /* since 1.1. 1: a choice among the solutions of inverse displacement (elbow in or out, slider above or below).
                            Assembly modes are looked for with every word of it. */
+  const char* unless;   /* since 1.2. Name of a parameter that, once given, stands in the place of this one: to give both is refused. NULL:
+                           there is none */
 } pm_parameter;
 
 typedef struct pm_value { /* the value of one parameter; the host passes all of them, in the order of the list, defaults filled in */
@@ -114,9 +116,11 @@ typedef struct pm_joint {
   pm_joint_kind kind;
   int32_t a, b; /* bodies; motion is that of b relative to a */
   /* Limits, each from min to max, of: the angle from home [rad] (revolute; universal, both axes; cylindrical), the travel from home [m]
-     (prismatic), the angle [rad] between the z axis of body `stud` and its home direction in the other body (spherical). */
+     (prismatic), the angle [rad] between the z axis of body `stud` and a direction in the other body, the socket (spherical). */
   double min[2], max[2];
   int32_t stud;
+  double from[3]; /* since 1.2, spherical: the direction that the limit counts from, in axes of the socket, of any length: the platform's
+                     normal, say. Zero: the direction of the stud at home */
 } pm_joint;
 
 typedef struct pm_actuator {

@@ -83,6 +83,7 @@ struct Joint {
   std::vector<Range>
       limits;     // two for a universal joint, else one; meaning by kind, see plugin.h. Left empty: half a turn (or 10 m) either way
   int stud = -1;  // spherical: the body whose z axis the limit follows. Left at -1: b, or a where b is the platform
+  Eigen::Vector3d from = Eigen::Vector3d::Zero();  // spherical: what the limit counts from, in axes of the other body. Zero: from home
 };
 
 struct Actuator {

@@ -124,6 +124,13 @@ MechanismPart read_mechanism(const Entry* entry, const MechanismSource& source, 
       part.set.push_back(i);
     }
     given.finish();
+    for (const std::size_t i : part.set) {
+      const ParameterInfo& info = part.info.parameters[i];
+      const Entry *own = given.find(info.name), *other = info.unless.empty() ? nullptr : given.find(info.unless);
+      if (other == nullptr) continue;
+      diagnostics.add(own->place, fmt::format("{} says nothing once {} is given", info.name, info.unless), "keep one of the two");
+      sound = false;
+    }
   }
   if (sound) {
     try {

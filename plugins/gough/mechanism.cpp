@@ -24,10 +24,12 @@ class Gough : public Mechanism<6> {
   static constexpr const char* source =
       "Glazunov, Briot, Arakelyan et al. 2008, Development of manipulators with a parallel-cross structure; Gough 1956";
   static constexpr Parameter parameters[] = {
-      Parameter::length("base_radius", 0.3, "radius R_b of the circle of the base joints", {0.001, 100}),
+      Parameter::length("base_radius", 0.3, "radius R_b of the circle of the base joints", {0.001, 100}).unless("base_points"),
       Parameter::length("platform_radius", 0.2, "radius R_pl of the circle of the platform joints, and of the platform", {0.001, 100}),
-      Parameter::angle("base_half_angle", 10.6 * deg, "half the angle between the two base joints of a pair", {0, pi / 3}),
-      Parameter::angle("platform_half_angle", 15.2 * deg, "half the angle between the two platform joints of a pair", {0, pi / 3}),
+      Parameter::angle("base_half_angle", 10.6 * deg, "half the angle between the two base joints of a pair", {0, pi / 3})
+          .unless("base_points"),
+      Parameter::angle("platform_half_angle", 15.2 * deg, "half the angle between the two platform joints of a pair", {0, pi / 3})
+          .unless("platform_points"),
       Parameter::numbers("base_points", {}, {-100, 100}, 0, 18, "m", "mm",
                          "A1 to A6 in base axes, x y z each; none: from circle and angle"),
       Parameter::numbers("platform_points", {}, {-100, 100}, 0, 18, "m", "mm", "B1 to B6 in platform axes; none: from circle and angle"),

@@ -46,7 +46,8 @@ Closure::Closure(const Machine& machine) : machine_(machine) {
     Home h{seat(a), seat(b), a.rotation.transpose() * b.rotation, Vector3d::Zero()};
     if (j.kind == JointKind::spherical) {
       const bool stud_is_a = j.stud == j.a;
-      h.stud = (stud_is_a ? b : a).rotation.transpose() * (stud_is_a ? a : b).rotation.col(2);
+      h.stud = j.from.isZero() ? Vector3d((stud_is_a ? b : a).rotation.transpose() * (stud_is_a ? a : b).rotation.col(2))
+                               : Vector3d(j.from.normalized());
     }
     home_.push_back(h);
   }

@@ -149,8 +149,30 @@ std::vector<double> Machine::readings(std::span<const double> coordinates, const
 }
 
 pm_status Machine::jacobian(pm_order order, std::size_t count, const double* placement, double* jacobian, std::string* why) const {
-  if (why == nullptr) return table_->statics->jacobian(instance_, order, count, placement, jacobian, nullptr);
-  return call(*why, [&](pm_text* text) { return table_->statics->jacobian(instance_, order, count, placement, jacobian, text); });
+  const auto ask = [&](pm_text* text) { return table_->statics->jacobian(instance_, order, count, placement, jacobian, text); };
+  const pm_status status = why == nullptr ? ask(nullptr) : call(*why, ask);
+  if (status != PM_OK) std::fill_n(jacobian, 36 * components(order) * count, std::numeric_limits<double>::quiet_NaN());
+  return status;
+}
+
+Jacobian Machine::jacobian(const double* placement) const {
+  double numbers[36];
+  Jacobian out;
+  out.status = jacobian(PM_VALUE, 1, placement, numbers, &out.why);
+  if (out.status != PM_OK) return out;
+  const linear::Matrix6d g = Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(numbers);
+  if (g.allFinite()) {
+    out.matrix = g;
+  } else {
+    out.status = PM_SINGULAR;
+    out.why = "the overall Jacobian has no finite value at this pose";
+  }
+  return out;
+}
+
+Jacobian Machine::jacobian(const Pose& pose) const {
+  PMREPORT_ASSERT(pose.status == PM_OK, "the pose is assembled");
+  return jacobian(pose.numbers.data());
 }
 
 }  // namespace pmreport::mechanics

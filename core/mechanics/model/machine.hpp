@@ -4,7 +4,9 @@
 
 #include <pmreport/plugin.h>
 #include <Eigen/Core>
+#include <core/linear/types.hpp>
 #include <core/mechanics/model/mechanism_error.hpp>
+#include <limits>
 #include <memory>
 #include <pmreport/topology.hpp>
 #include <span>
@@ -22,6 +24,7 @@ struct ParameterInfo {
   std::size_t count_min, count_max;
   std::vector<std::string> choices;
   bool working_mode = false;  // chooses among the solutions of inverse displacement
+  std::string unless;         // the parameter that, once given, stands in the place of this one; empty: there is none
 };
 
 // What can be known of a mechanism before it is made.
@@ -42,6 +45,15 @@ struct Pose {
   std::vector<double> numbers;   // layout().size() of them, SI; without meaning when not PM_OK
 };
 
+// The plugin's overall Jacobian G at one pose, in its own units.
+struct Jacobian {
+  pm_status status = PM_FAILED;  // PM_OK; PM_SINGULAR: G has no value there; PM_FAILED
+  std::string why;               // a sentence when not PM_OK
+  linear::Matrix6d matrix = linear::Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN());  // NaN when not PM_OK
+
+  bool known() const { return status == PM_OK; }
+};
+
 class Machine {
  public:
   // Throws MechanismError: parameters refused, or a declaration that makes no sense (it says which).
@@ -60,6 +72,9 @@ class Machine {
 
   // The pose at dof coordinates [m], [rad]. Failure is told by its status.
   Pose pose(std::span<const double> coordinates) const;
+  // G at a pose that is PM_OK; PM_SINGULAR also where the plugin's numbers are not finite.
+  Jacobian jacobian(const Pose& pose) const;
+  Jacobian jacobian(const double* placement) const;  // of the plain numbers of a placement in reach
   // Of a pose that is PM_OK, base axes. Bodies count from 0, the base; joints and axes from 0.
   Eigen::Vector3d origin(const Pose& pose, int body) const;            // p_A [m]; of the base: zero
   Eigen::Matrix3d rotation(const Pose& pose, int body) const;          // R_A; of a slender body: z along its axis, the others anyhow
@@ -76,7 +91,7 @@ class Machine {
   pm_status place(pm_order order, std::size_t count, const double* coordinates, double* placement, std::string* why = nullptr) const;
   // The plugin's overall Jacobian G of a placement that is in reach: 36 scalars a pose, row-major, G V = (actuator rates, 0), V the twist
   // of the platform about its reference point. A row of an actuator has [m/s] or [rad/s] by [m/s, rad/s]. Not finite, or PM_SINGULAR, where
-  // G has no value: on some singular surfaces.
+  // G has no value: on some singular surfaces. All NaN when the answer is not PM_OK.
   pm_status jacobian(pm_order order, std::size_t count, const double* placement, double* jacobian, std::string* why = nullptr) const;
   std::size_t components(pm_order order) const;  // doubles per scalar
 

@@ -57,6 +57,8 @@ void check_topology(const Topology& t, int dof) {
              fmt::format("joint {}: its limits are not a finite range", j.name));
     if (j.kind == JointKind::spherical)
       demand(j.stud == j.a || j.stud == j.b, fmt::format("joint {}: its stud is body {}, which it does not connect", j.name, j.stud));
+    demand(j.from.allFinite() && (j.kind == JointKind::spherical || j.from.isZero()),
+           fmt::format("joint {}: only the limit of a ball joint counts from a direction, which is finite", j.name));
   }
   check_connected(t);
   for (const Actuator& a : t.actuators) {

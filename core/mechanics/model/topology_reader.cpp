@@ -23,7 +23,8 @@ MechanismInfo describe(const pm_mechanism& table) {
                     p.count_min,
                     p.count_max,
                     {},
-                    false};
+                    false,
+                    text_or_empty(p.unless)};
     for (std::size_t k = 0; k < p.choice_count; ++k) i.choices.push_back(p.choices[k]);
     i.working_mode = p.kind == PM_CHOICE && p.working_mode != 0;
     return i;
@@ -66,6 +67,7 @@ Topology read_topology(const pm_mechanism& table, const pm_instance* instance) {
   t.joints = map<pm_joint>(c.joints, [](const pm_joint& x) {
     Joint j{text_or_empty(x.name), static_cast<JointKind>(x.kind), x.a, x.b, {{x.min[0], x.max[0]}}, x.stud};
     if (j.kind == JointKind::universal) j.limits.push_back({x.min[1], x.max[1]});
+    j.from = Eigen::Vector3d(x.from);
     return j;
   });
   t.actuators = map<pm_actuator>(c.actuators, [](const pm_actuator& x) {
