@@ -1,6 +1,7 @@
 #include <core/analysis/analysis.hpp>
 
 #include <core/analysis/samples/sample_work.hpp>
+#include <core/mechanics/singularity/singularity.hpp>
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -25,7 +26,13 @@ Analysis::Analysis(const scenario::Scenario& scenario, const mechanics::Trajecto
   run(progress);
   if (asked_.forces) run_dynamics(progress);
   breaches_ = find_breaches(machine.topology(), columns_);
-  crossings_ = find_crossings(trajectory, machine, columns_[column_of(OfMachine::determinant)], mobility_, length_);
+  singular_everywhere_ = mechanics::singular_everywhere(machine, length_);
+  if (singular_everywhere_) return;  // a surface that is everywhere is met nowhere
+  crossings_ = find_crossings(trajectory, machine, wrenches_, mobility_, length_);
+  progress.stop_if_asked();
+  margins_ = follow_margins(trajectory, machine, length_);
+  for (const Crossing& c : margins_.losses) crossings_.push_back(c);
+  std::ranges::stable_sort(crossings_, {}, &Crossing::time);
 }
 
 void Analysis::run(const Progress& progress) {
@@ -33,6 +40,7 @@ void Analysis::run(const Progress& progress) {
   for (ColumnList* list : {displacement_columns, velocity_columns, acceleration_columns, statics_columns})
     for (const Column& c : list(machine_.topology())) columns_.add(c, n);
   outcomes_.assign(n, Outcome::good);
+  wrenches_.assign(n, {});
 
   const mechanics::Closure closure(machine_);
   tbb::enumerable_thread_specific<SampleWork> workers(
@@ -46,7 +54,8 @@ void Analysis::run(const Progress& progress) {
       SampleWork& worker = workers.local();
       const int sample = static_cast<int>(k), neighbour = sample > 0 ? sample - 1 : std::min(1, samples() - 1);
       outcomes_[k] = worker.run(sample, neighbour, residuals_[k], [&](const ColumnId& id, double value) { columns_.put(id, k, value); });
-      if (outcomes_[k] == Outcome::unreachable || outcomes_[k] == Outcome::failed) {
+      wrenches_[k] = worker.wrenches();
+      if (outcomes_[k] != Outcome::good) {
         const std::scoped_lock lock(sentences);
         why_[sample] = worker.why();
       }

@@ -6,7 +6,9 @@
 #include <core/analysis/breaches.hpp>
 #include <core/analysis/column_store.hpp>
 #include <core/analysis/columns.hpp>
+#include <core/analysis/conditioning.hpp>
 #include <core/analysis/crossings.hpp>
+#include <core/analysis/margins.hpp>
 #include <core/analysis/progress.hpp>
 #include <core/analysis/residuals.hpp>
 #include <core/mechanics/mobility/mobility_count.hpp>
@@ -47,14 +49,17 @@ class Analysis {
   Outcome outcome(int sample) const { return outcomes_[static_cast<std::size_t>(sample)]; }
   int count(Outcome c) const;
   const std::string& why(int sample) const;  // of a sample that is not good
-  Worst worst(Measure m) const { return residuals_.worst(m); }
+  Worst worst(Measure m, double tolerance = std::numeric_limits<double>::infinity()) const { return residuals_.worst(m, tolerance); }
 
   bool has_dynamics() const { return asked_.forces; }                                 // a section or a limit asks for forces in motion
   const std::vector<Indeterminate>& indeterminate() const { return indeterminate_; }  // of each joint, in any sample
   int self_stresses() const { return self_stresses_; }                                // most in any sample
 
+  const HoldingWrenches& wrenches(int sample) const { return wrenches_[static_cast<std::size_t>(sample)]; }
+  bool singular_everywhere() const { return singular_everywhere_; }  // the architecture: the actuators hold the platform at no pose
   const std::vector<LimitBreach>& breaches() const { return breaches_; }
   const std::vector<Crossing>& crossings() const { return crossings_; }
+  const Margins& margins() const { return margins_; }
   std::vector<SampleRun> broken() const { return broken_runs(breaches_, samples()); }
   std::vector<SampleRun> unreachable() const;  // runs of samples without a pose
 
@@ -79,10 +84,13 @@ class Analysis {
   mechanics::Mobility mobility_;
   ColumnStore columns_;
   std::vector<Outcome> outcomes_;
+  std::vector<HoldingWrenches> wrenches_;
+  bool singular_everywhere_ = false;
   std::map<int, std::string> why_;
   Residuals residuals_;
   std::vector<LimitBreach> breaches_;
   std::vector<Crossing> crossings_;
+  Margins margins_;
   std::vector<Indeterminate> indeterminate_;
   int self_stresses_ = 0;
 };

@@ -55,11 +55,9 @@ void Analysis::run_dynamics(const Progress& progress) {
 
   std::vector<SampleForces::Order> orders;
   const std::vector<int> judged = spread(*this, 16);
-  const std::vector<double>& condition_number = column(column_of(OfMachine::condition));
   for (int k = 0; k < samples(); ++k)
     if (outcome(k) == Outcome::good)
-      orders.push_back(
-          {k, condition_number[static_cast<std::size_t>(k)] < comparable, std::binary_search(judged.begin(), judged.end(), k)});
+      orders.push_back({k, wrenches(k).are_comparable(), std::binary_search(judged.begin(), judged.end(), k)});
 
   const mechanics::JointFrames frames(machine_);
   tbb::enumerable_thread_specific<SampleForces> workers([&] {
@@ -100,7 +98,7 @@ void Analysis::balance_power() {
   tbb::parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t i) {
     const auto k = static_cast<std::size_t>(chosen[i]);
     const double power = column(column_of(OfMachine::total_power))[k] + column(column_of(OfMachine::load_power))[k];
-    if (!std::isfinite(power) || !(column(column_of(OfMachine::condition))[k] < comparable)) return;
+    if (!std::isfinite(power) || !wrenches(chosen[i]).are_comparable()) return;
     MotionProbe& probe = probes.local();
     const auto rate = smooth_rate([&](double t) { return probe.go(t) ? probe.energy() : nan; }, time()[k], time().front(), time().back());
     if (!rate) return;

@@ -1,99 +1,121 @@
 #include <core/analysis/crossings.hpp>
 
-#include <core/analysis/conditioning.hpp>
+#include <core/analysis/motion_search.hpp>
 #include <core/mechanics/singularity/singularity.hpp>
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace pmreport::analysis {
 
 namespace {
 
-// det G along the motion, dimensionless. A sample's own value is that of its column, so that both tell the same sign.
-class Along {
+// Of the value at the nearest sample: beside a zero |det G_| is smaller, where the lever of an actuator changes its sign it is as large.
+constexpr double small = 1e-3;
+
+class Search {
  public:
-  Along(const mechanics::Trajectory& motion, const mechanics::Machine& machine, double length)
-      : motion_(motion), machine_(machine), length_(length), unused_(machine.dof()) {}
+  Search(const mechanics::Trajectory& trajectory, const mechanics::Machine& machine, const std::vector<HoldingWrenches>& wrenches,
+         const mechanics::Mobility& mobility, double length)
+      : t_(trajectory.time),
+        machine_(machine),
+        wrenches_(wrenches),
+        mobility_(mobility),
+        length_(length),
+        motion_(trajectory, machine.dof()) {}
 
-  Eigen::VectorXd at(double t) {
-    Eigen::VectorXd q(machine_.dof());
-    if (!motion_.at || !motion_.at(t, q.data(), unused_.data(), unused_.data())) q.setConstant(std::nan(""));
-    return q;
-  }
-  double det(double t) {
-    const Eigen::VectorXd q = at(t);
-    return q.allFinite() ? mechanics::dimensionless_determinant(machine_, q, length_) : std::nan("");
-  }
-
-  // From a sign at `low` to the other at `high`: halved until the two are neighbours, or a pose between them cannot be assembled.
-  double zero(double low, double high, double at_low) {
-    for (int k = 0; k < 200; ++k) {
-      const double middle = 0.5 * (low + high);
-      if (!(middle > low && middle < high)) break;
-      const double value = det(middle);
-      if (std::isnan(value)) break;
-      (value * at_low > 0 ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
-  }
-
-  // Golden section for the least `sign` det in [low, high]; stops early where the sign has changed.
-  double least(double low, double high, double sign) {
-    constexpr double share = 1 / std::numbers::phi;
-    double a = high - share * (high - low), b = low + share * (high - low), at_a = sign * det(a), at_b = sign * det(b);
-    while (high - low > 1e-9 * std::abs(high) && at_a > 0 && at_b > 0) {
-      if (at_a < at_b) {
-        high = b, b = a, at_b = at_a;
-        a = high - share * (high - low), at_a = sign * det(a);
-      } else {
-        low = a, a = b, at_a = at_b;
-        b = low + share * (high - low), at_b = sign * det(b);
+  std::vector<Crossing> run() {
+    const int n = static_cast<int>(t_.size());
+    for (int k = 0; k < n; ++k) {
+      if (!std::isfinite(wrenches_[at(k)].determinant)) continue;
+      if (side(k) == 0) {
+        int last = k;
+        while (last + 1 < n && side(last + 1) == 0 && std::isfinite(wrenches_[at(last + 1)].determinant)) ++last;
+        on_the_surface(k, last);
+        k = last;
+        continue;
       }
+      if (k + 1 < n && side(k) * side(k + 1) < 0)
+        crosses(k, t_[at(k)], t_[at(k + 1)]);
+      else if (k > 0 && k + 1 < n && side(k - 1) == side(k) && side(k + 1) == side(k))
+        dips(k);
     }
-    return at_a < at_b ? a : b;
+    return std::move(found_);
   }
 
  private:
-  const mechanics::Trajectory& motion_;
+  static std::size_t at(int k) { return static_cast<std::size_t>(k); }
+  int side(int k) const { return wrenches_[at(k)].side; }
+  int sample_before(double t) const { return static_cast<int>(std::upper_bound(t_.begin(), t_.end(), t) - t_.begin()) - 1; }
+  std::optional<mechanics::WrenchDeterminant> wrenches(double t) {
+    const Eigen::VectorXd q = motion_.at(t);
+    return q.allFinite() ? mechanics::wrench_determinant(machine_, q, length_) : std::nullopt;
+  }
+  void meet(double time, Crossing::What what, bool touches, double until) {
+    found_.push_back({sample_before(time), time, until, motion_.at(time), what, touches});
+  }
+
+  // Samples on the surface: a motion that passes through it, or touches it, there, or stays on it.
+  void on_the_surface(int first, int last) {
+    const int before = first > 0 ? side(first - 1) : 0, after = at(last) + 1 < t_.size() ? side(last + 1) : 0;
+    meet(t_[at(first)], Crossing::What::surface, before * after >= 0, t_[at(last)]);
+  }
+
+  // One side at `low`, the other at `high`.
+  void crosses(int sample, double low, double high) {
+    const int side_before = side(sample);
+    // Both ends have a sign that rounding cannot turn over; between them the value as it comes tells the time to its last digits.
+    const double when = last_time(low, high, [&](double t) {
+      const auto w = wrenches(t);
+      return w && w->value * side_before > 0;
+    });
+    const auto there = wrenches(when);
+    const bool zero = !there || std::abs(there->value) < small * std::abs(wrenches_[at(sample)].determinant);
+    meet(when, zero ? Crossing::What::surface : Crossing::What::pole, false, when);
+  }
+
+  // A least |det G_| among three samples of one side: the surface may lie between them, crossed twice or touched. Differences that are
+  // rounding show no minimum.
+  void dips(int k) {
+    const auto size = [&](int i) { return std::abs(wrenches_[at(i)].determinant); };
+    const double left = size(k - 1), middle = size(k), right = size(k + 1);
+    if (!(middle <= left && middle <= right) || std::max(left, right) - middle <= 1e-9 * middle) return;
+    const double lowest = least_time(t_[at(k - 1)], t_[at(k + 1)], [&](double t) {
+      const auto w = wrenches(t);
+      return w ? w->value * side(k) : std::nan("");
+    });
+    const auto w = wrenches(lowest);
+    if (!w) return;
+    if (w->side == -side(k)) {
+      crosses(k, t_[at(k - 1)], lowest);
+      const double out = last_time(lowest, t_[at(k + 1)], [&](double t) {
+        const auto there = wrenches(t);
+        return there && there->value * side(k) < 0;
+      });
+      meet(out, Crossing::What::surface, false, out);
+    } else if (w->side == 0 || is_singular(lowest)) {
+      meet(lowest, Crossing::What::surface, true, lowest);
+    }
+  }
+  bool is_singular(double t) {
+    const auto s = mechanics::singularity_at(machine_, motion_.at(t), mobility_, length_);
+    return s && s->conditioning.condition() > singular;
+  }
+
+  const std::vector<double>& t_;
   const mechanics::Machine& machine_;
+  const std::vector<HoldingWrenches>& wrenches_;
+  const mechanics::Mobility& mobility_;
   double length_;
-  Eigen::VectorXd unused_;
+  PosesInTime motion_;
+  std::vector<Crossing> found_;
 };
 
 }  // namespace
 
 std::vector<Crossing> find_crossings(const mechanics::Trajectory& trajectory, const mechanics::Machine& machine,
-                                     const std::vector<double>& determinant, const mechanics::Mobility& mobility, double length) {
-  const std::vector<double>&d = determinant, &t = trajectory.time;
-  Along motion(trajectory, machine, length);
-  std::vector<Crossing> crossings;
-  const auto meet = [&](std::size_t before, double when, bool touches) {
-    // Beside a zero det G is smaller than at the samples, beside a pole larger.
-    const double beside = std::abs(motion.det(when)), at_sample = std::abs(motion.det(t[before]));
-    crossings.push_back({static_cast<int>(before), when, motion.at(when), touches, !(beside <= at_sample)});
-  };
-  for (std::size_t k = 0; k + 1 < d.size(); ++k) {
-    if (d[k] * d[k + 1] < 0) {
-      meet(k, motion.zero(t[k], t[k + 1], d[k]), false);
-      continue;
-    }
-    // A least |det G| among three samples of one sign: the surface may lie between them, crossed twice or touched. Differences that are
-    // rounding show no minimum.
-    if (k == 0 || !(d[k] * d[k - 1] > 0) || !(d[k] * d[k + 1] > 0)) continue;
-    const double left = std::abs(d[k - 1]), middle = std::abs(d[k]), right = std::abs(d[k + 1]);
-    if (!(middle <= left && middle <= right) || std::max(left, right) - middle <= 1e-9 * middle) continue;
-    const double sign = d[k] > 0 ? 1 : -1, lowest = motion.least(t[k - 1], t[k + 1], sign), value = sign * motion.det(lowest);
-    if (value < 0) {
-      const double in = motion.zero(t[k - 1], lowest, d[k]), out = motion.zero(lowest, t[k + 1], -d[k]);
-      meet(in < t[k] ? k - 1 : k, in, false);
-      meet(out < t[k] ? k - 1 : k, out, false);
-    } else {
-      const std::optional<mechanics::Singularity> s = mechanics::singularity_at(machine, motion.at(lowest), mobility, length);
-      if (s && s->conditioning.condition() > singular) meet(lowest < t[k] ? k - 1 : k, lowest, true);
-    }
-  }
-  return crossings;
+                                     const std::vector<HoldingWrenches>& wrenches, const mechanics::Mobility& mobility, double length) {
+  return Search(trajectory, machine, wrenches, mobility, length).run();
 }
 
 }  // namespace pmreport::analysis

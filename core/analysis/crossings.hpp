@@ -1,6 +1,7 @@
-// Where a motion meets a singular surface: between samples, by bisection in time.
+// Where a motion meets a singularity: between samples, by bisection in time.
 #pragma once
 
+#include <core/analysis/conditioning.hpp>
 #include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/trajectory/trajectory.hpp>
 
@@ -9,17 +10,28 @@
 
 namespace pmreport::analysis {
 
-// The motion meets a singular surface: det G changes its sign, or touches zero, at `time`.
 struct Crossing {
-  int before;                   // sample at or before it
-  double time;                  // [s], to the last digits of a double
+  enum class What {
+    surface,      // det G is zero: the actuators do not hold the platform
+    pole,         // det G passes through infinity: a limb holds the platform whatever its actuator does
+    bodies,       // det G is regular, and yet bodies move with all actuators locked
+    freedoms,     // the platform gains a freedom that no actuator has a say in (constraint singularity)
+    limb,         // with the platform locked an actuator moves (type 1)
+    limb_locked,  // bodies of a limb move by themselves, platform and actuators locked
+  };
+  int before = 0;               // sample at or before it
+  double time = 0;              // [s], to the last digits of a double; where it lasts, when it begins
+  double until = 0;             // [s]; `time`, or when it ends
   Eigen::VectorXd coordinates;  // there
-  bool touches = false;         // it comes back on the same side
-  bool pole = false;            // det G passes through infinity, not zero: a limb is singular
+  What what = What::surface;
+  bool touches = false;  // it comes back on the same side, or ends, or begins, there; of `bodies` and below: nothing tells the sides apart
+
+  bool lasts() const { return until > time; }
 };
 
-// `determinant`: det G at every sample. `mobility`: of the machine at home; `length`: its characteristic length [m].
+// Those that the wrenches on the platform tell: the motion changes its side of a singular surface, touches it, or stays on it. `wrenches`:
+// of every sample. `mobility`: of the machine at home; `length`: its characteristic length [m].
 std::vector<Crossing> find_crossings(const mechanics::Trajectory& trajectory, const mechanics::Machine& machine,
-                                     const std::vector<double>& determinant, const mechanics::Mobility& mobility, double length);
+                                     const std::vector<HoldingWrenches>& wrenches, const mechanics::Mobility& mobility, double length);
 
 }  // namespace pmreport::analysis

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace pmreport::analysis {
@@ -31,25 +32,36 @@ enum class Measure : std::size_t {
   count
 };
 
-// Of one sample; NaN: not computed.
-using Row = std::array<double, static_cast<std::size_t>(Measure::count)>;
+// Of one sample; NaN: not computed. `error`: how far the two sides that were compared are known themselves, where that may be less than the
+// claim asks for.
+struct Row {
+  std::array<double, static_cast<std::size_t>(Measure::count)> value, error;
+
+  double& operator[](std::size_t measure) { return value[measure]; }
+  double operator[](std::size_t measure) const { return value[measure]; }
+};
 
 // A residual that is not a number must not pass for a small one.
-void set(Row& row, Measure m, double value);
+void set(Row& row, Measure m, double value, double error = 0);
 // Deviation over scale; nothing over nothing agrees.
 inline double relative(double deviation, double scale) { return scale > 0 ? deviation / scale : deviation; }
 
 struct Worst {
-  double value = 0;  // largest over the samples
-  int sample = -1;   // where; -1: nowhere computed
-  int compared = 0;  // number of samples that it was computed of
+  double value = 0;      // largest over the samples; of one whose sides are known to less than the tolerance, that share of the tolerance
+                         // that the residual is of what is known
+  int sample = -1;       // where; -1: nowhere computed
+  int compared = 0;      // number of samples that it was computed of
+  int poorly_known = 0;  // of these: samples whose sides are known to less than the tolerance
+  double poorest = 0;    // the largest such error
+  int undecided = 0;     // samples where too little is known to compare anything
 };
 
 class Residuals {
  public:
   explicit Residuals(std::size_t samples = 0);
   Row& operator[](std::size_t sample) { return rows_[sample]; }
-  Worst worst(Measure m) const;
+  // `tolerance`: what the claim asks for; where it is left out, residuals are as they are.
+  Worst worst(Measure m, double tolerance = std::numeric_limits<double>::infinity()) const;
 
  private:
   std::vector<Row> rows_;

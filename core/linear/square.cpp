@@ -1,12 +1,22 @@
 #include <core/linear/square.hpp>
 
 #include <core/assertion.hpp>
+#include <core/linear/tolerance.hpp>
 
 #include <Eigen/Cholesky>
 
 namespace pmreport::linear {
 
 double determinant(const Matrix6d& a) { return a.determinant(); }
+
+int sign_of_determinant(const Matrix6d& a) {
+  const Vector6d lengths = a.rowwise().norm();
+  if (!(lengths.minCoeff() > 0) || !lengths.allFinite()) return 0;
+  const Eigen::PartialPivLU<Matrix6d> lu(lengths.cwiseInverse().asDiagonal() * a);
+  const double det = lu.determinant();
+  if (!(entry_rounding * lu.inverse().cwiseAbs().sum() < 1)) return 0;
+  return det > 0 ? 1 : -1;
+}
 
 Vector6d solution(const Matrix6d& a, const Vector6d& b) { return a.partialPivLu().solve(b); }
 

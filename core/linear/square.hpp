@@ -11,6 +11,13 @@ namespace pmreport::linear {
 
 double determinant(const Matrix6d& a);
 
+// The sign of det a, by what is known of its entries: each to `entry_rounding` of the length of its row. With unit rows E has entries of
+// that size at most, and
+//     det(a + E) = det a det(I + a^-1 E)
+// keeps its sign while the entries of a^-1 sum to less than 1 / entry_rounding. 1, -1, or 0 where rounding could turn it over, where a row
+// has no length, and where an entry is not finite. Lengths of rows play no part.
+int sign_of_determinant(const Matrix6d& a);
+
 Vector6d solution(const Matrix6d& a, const Vector6d& b);               // x of a x = b
 Vector6d solution_of_transpose(const Matrix6d& a, const Vector6d& b);  // x of a^T x = b
 

@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pmreport::linear {
 
@@ -43,6 +44,13 @@ MatrixXd column_space(const MatrixXd& m, double size) {
 VectorXd pivots(const MatrixXd& m) {
   if (m.size() == 0) return VectorXd(0);
   return Eigen::ColPivHouseholderQR<MatrixXd>(m).matrixQR().diagonal().cwiseAbs();
+}
+
+Complement complement(const MatrixXd& m, Eigen::Index rank) {
+  if (m.size() == 0 || rank == 0) return {MatrixXd::Identity(m.rows(), m.rows()), std::numeric_limits<double>::infinity()};
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(m);
+  const MatrixXd across = MatrixXd::Identity(m.rows(), m.rows()).rightCols(m.rows() - rank);
+  return {qr.householderQ() * across, std::abs(qr.matrixQR()(rank - 1, rank - 1))};
 }
 
 MatrixXd orthonormalised(const MatrixXd& columns) {

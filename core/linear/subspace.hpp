@@ -23,6 +23,14 @@ Eigen::MatrixXd column_space(const Eigen::MatrixXd& m, double size = 0);
 // Magnitudes of the diagonal of R, min(m, n) of them, largest first: none is more than the next by rounding.
 Eigen::VectorXd pivots(const Eigen::MatrixXd& m);
 
+// The directions that no column of m reaches, where m is meant to have this rank: m.rows() x (m.rows() - rank), orthonormal. `pivot`: the
+// last of the pivots that count, of which nothing is left where the rank falls; infinite where none counts.
+struct Complement {
+  Eigen::MatrixXd basis;
+  double pivot = 0;
+};
+Complement complement(const Eigen::MatrixXd& m, Eigen::Index rank);
+
 // Gram and Schmidt's, of independent columns: m x n, n <= m, that span the same, each the first so many of the given ones.
 Eigen::MatrixXd orthonormalised(const Eigen::MatrixXd& columns);
 

@@ -22,6 +22,10 @@ constexpr double carried_share = 1e-7;
 // As carried_share, of the rows of constraints while a basis of the self-stresses is reduced: nearer to its rounding.
 constexpr double least_part = 1e-8;
 
+// Of the length of a unit wrench: what rounding leaves of each of its entries, which come from a few hundred operations on lengths a few
+// times as long as the limb. A determinant that so much could turn over has no sign.
+constexpr double entry_rounding = 256 * 2.220446049250313e-16;
+
 // Of det G at home: what is left of it on the singular surface.
 constexpr double vanished_determinant = 1e-9;
 

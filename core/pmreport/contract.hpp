@@ -194,7 +194,7 @@ struct Functions {
         why = at.why();
       });
       if (count != 1 || out[0] >= 0) return PM_OK;
-      if (std::isnan(out[0])) return say(text, "the reach of the placement is not a number"), PM_FAILED;
+      if (std::isnan(out[0])) return say(text, "the reach of the placement is not a number"), PM_SINGULAR;
       say(text, why != nullptr ? why : "out of reach");
       return PM_UNREACHABLE;
     });

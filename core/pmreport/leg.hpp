@@ -80,10 +80,18 @@ struct Line {
   }
 };
 
+// A leg without length points nowhere: there is no such pose.
+template <class T>
+void require_length(Placement<T>& at, const Line<T>& line) {
+  constexpr double least = 1e-12;  // [m]: shorter is rounding of the two points
+  at.require(line.length - least, "a leg has no length, and so no direction");
+}
+
 // Places bodies, slide and drive of a leg; the joints at its ends are left to the caller. `x` is the x axis of its bodies, a unit vector
 // across the leg: the hinge of a leg that has one at an end. Returns the bodies' rotation.
 template <class T>
 Matrix3<T> place_leg(Placement<T>& at, const Leg& leg, const Line<T>& line, const Vector3<T>& x) {
+  require_length(at, line);
   const Matrix3<T> frame = frame_xz(x, line.n);
   at.body(leg.cylinder, line.from, frame);
   at.body(leg.piston, line.to, frame);
@@ -95,6 +103,7 @@ Matrix3<T> place_leg(Placement<T>& at, const Leg& leg, const Line<T>& line, cons
 // A leg between two balls, slender: it may spin about itself, and is placed without spin.
 template <class T>
 void place_sps(Placement<T>& at, const Leg& leg, const Line<T>& line) {
+  require_length(at, line);
   at.slender(leg.cylinder, line.from, line.n);
   at.slender(leg.piston, line.to, line.n);
   at.joint(leg.low, line.from);
@@ -118,6 +127,7 @@ inline constexpr const char* spin_undetermined = "a leg points along the first a
 // A leg with a Cardan joint below, whose first axis e1 is fixed in what carries it, and a ball above. Returns the bodies' rotation.
 template <class T>
 Matrix3<T> place_ups(Placement<T>& at, const Leg& leg, const Line<T>& line, const Vector3<T>& e1, const char* why = spin_undetermined) {
+  require_length(at, line);
   const Vector3<T> e2 = second_axis(at, e1, line.n, why);
   at.joint(leg.low, line.from, e1, e2);
   at.joint(leg.high, line.to);
@@ -127,6 +137,7 @@ Matrix3<T> place_ups(Placement<T>& at, const Leg& leg, const Line<T>& line, cons
 // The same leg upside down: a ball below, and above the Cardan joint, whose first axis e1 is fixed in the body that the leg carries.
 template <class T>
 Matrix3<T> place_spu(Placement<T>& at, const Leg& leg, const Line<T>& line, const Vector3<T>& e1, const char* why = spin_undetermined) {
+  require_length(at, line);
   const Vector3<T> e2 = second_axis(at, e1, line.n, why);
   at.joint(leg.low, line.from);
   at.joint(leg.high, line.to, e1, e2);

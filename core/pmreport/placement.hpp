@@ -77,7 +77,8 @@ class Placement {
     if constexpr (std::is_same_v<T, double>) {
       if (margin < 0 && why_ == nullptr) why_ = why;
     }
-    set(0, smaller(get(0), margin));
+    const T now = get(0);  // what is out of reach stays so, whatever follows from numbers that mean nothing any more
+    set(0, choose(now < T(0.0), now, smaller(now, margin)));
   }
   // A body: its origin and rotation (body axes to base axes); a slender one: its origin and unit z axis.
   void body(int i, const Vector3<T>& origin, const Matrix3<T>& rotation) {

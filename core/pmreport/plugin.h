@@ -169,7 +169,8 @@ enum {
 typedef struct pm_kinematics {
   size_t struct_size;
   pm_status (*topology)(const pm_instance*, pm_topology* out, pm_text* message);
-  /* With count > 1 the status is PM_OK even when poses are out of reach: look at each one's `reach`. */
+  /* PM_SINGULAR, or numbers that are not finite, where the geometry has no pose to give, as of a limb without length. With count > 1 the
+     status is PM_OK even when poses are out of reach: look at each one's `reach`. */
   pm_status (*place)(const pm_instance*, pm_order order, size_t count, const double* coordinates, double* placement, pm_text* message);
 } pm_kinematics;
 

@@ -1,6 +1,7 @@
 // The gates of a report.
 #include <reports/section/checks.hpp>
 #include <reports/section/common/limits.hpp>
+#include <reports/section/common/singular_words.hpp>
 #include <reports/section/common/words.hpp>
 
 #include <fmt/core.h>
@@ -95,7 +96,7 @@ std::vector<document::Check> evaluate_checks(const Analysis& a, const std::vecto
   out.push_back(demand("strokes and joint limits are kept", broken, std::to_string(broken) + of,
                        a.breaches().empty() ? "" : sentence(a, a.breaches().front())));
   if (a.scenario().limits.any()) out.push_back(limits_kept(a));
-  const int singular = a.count(Outcome::singular) + static_cast<int>(a.crossings().size());
+  const int singular = singularities_met(a);
   out.push_back(demand("no singular surface is met", singular, plural(singular, "time"), first(singularity_sentences(a))));
   return out;
 }

@@ -1,6 +1,7 @@
 #include <reports/section/checks.hpp>
 #include <reports/section/common/limits.hpp>
 #include <reports/section/common/plots.hpp>
+#include <reports/section/common/singular_words.hpp>
 #include <reports/section/common/stage.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/kinds.hpp>
@@ -32,6 +33,7 @@ std::vector<Paragraph> summary(const Analysis& a, const Report& r) {
   const auto warn = [&](const std::string& text) { out.push_back({Paragraph::Tone::warning, text}); };
   for (const std::string& s : reach_sentences(a)) warn(s);
   for (const std::string& s : singularity_sentences(a)) warn(s);
+  for (const std::string& s : nearness_sentences(a)) warn(s);
   for (const LimitBreach& b : a.breaches()) warn(sentence(a, b));
   for (const std::string& s : limit_sentences(a)) warn(s);
   for (const document::Check& c : r.checks)

@@ -5,7 +5,12 @@
 #include <core/mechanics/model/differences.hpp>
 #include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/model/tangent.hpp>
+#include <core/mechanics/singularity/end_of_reach.hpp>
 #include <core/mechanics/statics/statics.hpp>
+#include <core/text/units.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +30,7 @@ double largest_of(const Eigen::VectorXd& v) { return v.size() > 0 ? v.cwiseAbs()
 
 Outcome SampleWork::run(int sample, int previous, Row& row, const Put& put) {
   const mechanics::Trajectory& motion = trajectory_;
+  wrenches_ = {};
   const Eigen::VectorXd q = motion.value.row(sample), rate = motion.rate.row(sample), acceleration = motion.acceleration.row(sample);
   if (!q.allFinite()) {
     state_.why = "the motion " + motion.ending;
@@ -32,9 +38,14 @@ Outcome SampleWork::run(int sample, int previous, Row& row, const Put& put) {
   }
   evaluate(machine_, q.data(), rate.data(), acceleration.data(), state_);
   if (state_.status == PM_UNREACHABLE) return Outcome::unreachable;
+  if (state_.status == PM_SINGULAR) {  // without rates, at the end of reach, or not even a pose that the geometry can express
+    const bool exists = machine_.pose({q.data(), static_cast<std::size_t>(q.size())}).status == PM_OK;
+    return exists ? Outcome::singular : Outcome::unreachable;
+  }
   if (state_.status != PM_OK) return Outcome::failed;
 
   const mechanics::ClosedForm c = closed_form(machine_, state_, length_);
+  wrenches_ = {c.side, c.wrench_determinant, c.wrench_condition};
   const bool rates = asked_.velocity_evidence || asked_.acceleration_evidence;
   const mechanics::GenericModel model = rates || asked_.statics ? generic_model(machine_, state_) : mechanics::GenericModel{};
   kinematics(put, c);
@@ -44,8 +55,13 @@ Outcome SampleWork::run(int sample, int previous, Row& row, const Put& put) {
     set(row, Measure::misalignment, e.misalignment);
   }
   if (rates) prove_rates(row, c, model);
-  if (asked_.displacement_evidence && c.condition < comparable) set(row, Measure::round_trip, round_trip(sample, previous, c.condition));
-  if (!(c.condition < singular)) return Outcome::singular;
+  if (asked_.displacement_evidence && wrenches_.are_comparable() && c.condition < comparable)
+    round_trip(sample, previous, c.condition, row);
+  if (wrenches_.are_singular()) {
+    state_.why =
+        fmt::format("the wrenches on the platform depend on one another (condition number {})", format_number(c.wrench_condition, 3));
+    return Outcome::singular;
+  }
   if (asked_.statics) statics(sample, row, put, c, model);
   return Outcome::good;
 }
@@ -94,38 +110,41 @@ void SampleWork::prove_rates(Row& row, const mechanics::ClosedForm& c, const mec
   set(row, Measure::acceleration, relative(largest_of(model.constraints * a + model.bias), a_scale));
   set(row, Measure::jacobian, relative(largest_of(c.jacobian * twist - rates), v_scale));
   set(row, Measure::jacobian_rate, relative(largest_of(c.jacobian * twist_rate + c.jacobian_rate * twist - accelerations), a_scale));
-  if (c.condition < comparable) {
+  if (wrenches_.are_comparable()) {
     set(row, Measure::forward_velocity, relative(largest_of(forward_velocity(c, rates) - twist), v_scale));
     set(row, Measure::forward_acceleration, relative(largest_of(forward_acceleration(c, accelerations, twist) - twist_rate), a_scale));
   }
   if (!machine_.topology().matrices.empty()) set(row, Measure::source, source_deviation(machine_, state_).value);
   const mechanics::Deviation d = jets_against_differences(machine_, state_);
   if (d.reachable) {
-    set(row, Measure::difference_rate, d.rate);
-    set(row, Measure::difference_acceleration, d.acceleration);
+    set(row, Measure::difference_rate, d.rate, d.rate_error);
+    set(row, Measure::difference_acceleration, d.acceleration, d.acceleration_error);
   }
 }
 
 // The guess lies towards the neighbouring sample, at most a tenth of the characteristic length, or 0.1 rad, away; nearer next to a singular
-// pose, beyond which another assembly mode has the same actuator values.
-double SampleWork::round_trip(int sample, int previous, double condition) {
+// pose, beyond which another assembly mode has the same actuator values, and next to the end of reach. Where that leaves no way to go, or
+// the coordinates themselves are singular, nothing is compared.
+void SampleWork::round_trip(int sample, int previous, double condition, Row& row) {
+  constexpr double least_way = 1e-5;  // of the size: a thousand times what the claim lets the answer be off
   const auto unit = [&](int i) {
     return mechanics::size_of(machine_.topology().coordinates[static_cast<std::size_t>(i)].sense(), length_);
   };
   const Eigen::VectorXd q = trajectory_.value.row(sample);
   Eigen::VectorXd neighbour = trajectory_.value.row(previous);
   if (!neighbour.allFinite()) neighbour = q;
-  const double allowed = std::min(0.1, 1 / condition);
+  double allowed = std::min(0.1, 1 / condition);
+  if (const auto end = mechanics::end_of_reach(machine_, q, length_)) allowed = std::min(allowed, 0.25 * end->distance / length_);
+  if (allowed < least_way || mechanics::chart_fault(machine_, q, length_)) return;
   double far = 0;
   for (int i = 0; i < q.size(); ++i) far = std::max(far, std::abs(neighbour(i) - q(i)) / (allowed * unit(i)));
   const Eigen::VectorXd guess = q + (neighbour - q) / std::max(far, 1.0);
   mechanics::SmallVector l(machine_.dof());
   for (int i = 0; i < q.size(); ++i) l(i) = state_.actuators[static_cast<std::size_t>(i)].value;
   const mechanics::ForwardSolution s = forward_.solve(l, guess);
-  if (s.outcome != Outcome::good) return std::numeric_limits<double>::infinity();
-  double worst = 0;
+  double worst = s.outcome == Outcome::good ? 0 : std::numeric_limits<double>::infinity();
   for (int i = 0; i < q.size(); ++i) worst = std::max(worst, std::abs(s.coordinates(i) - q(i)) / unit(i));
-  return worst;
+  set(row, Measure::round_trip, worst);
 }
 
 void SampleWork::statics(int sample, Row& row, const Put& put, const mechanics::ClosedForm& c, const mechanics::GenericModel& model) {
@@ -143,7 +162,7 @@ void SampleWork::statics(int sample, Row& row, const Put& put, const mechanics::
   for (std::size_t i = 0; i < t.constraints.size(); ++i)
     put(column_of(t.constraints[i]), on_platform(machine_.dof() + static_cast<int>(i)));
 
-  if (c.condition < comparable) {
+  if (wrenches_.are_comparable()) {
     Eigen::VectorXd wrenches = weight;
     wrenches.segment<6>(6 * t.platform - 6) += wrench;
     const mechanics::GenericStatics g = generic_statics(model, wrenches);

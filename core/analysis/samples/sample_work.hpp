@@ -3,6 +3,7 @@
 
 #include <core/analysis/asked.hpp>
 #include <core/analysis/column_names.hpp>
+#include <core/analysis/conditioning.hpp>
 #include <core/analysis/residuals.hpp>
 #include <core/mechanics/displacement/displacement.hpp>
 #include <core/mechanics/model/closed_form.hpp>
@@ -29,12 +30,13 @@ class SampleWork {
 
   // Fills `row` and hands every output number to `put`. `previous`: a neighbour of the sample, towards which forward displacement starts.
   mechanics::Outcome run(int sample, int previous, Row& row, const Put& put);
-  const std::string& why() const { return state_.why; }  // when the sample has no pose
+  const std::string& why() const { return state_.why; }  // when the sample is not good
+  const HoldingWrenches& wrenches() const { return wrenches_; }
 
  private:
   void kinematics(const Put& put, const mechanics::ClosedForm& c);
   void prove_rates(Row& row, const mechanics::ClosedForm& c, const mechanics::GenericModel& model);
-  double round_trip(int sample, int previous, double condition);
+  void round_trip(int sample, int previous, double condition, Row& row);
   void statics(int sample, Row& row, const Put& put, const mechanics::ClosedForm& c, const mechanics::GenericModel& model);
   const mechanics::BodyState& platform() const { return state_.bodies[static_cast<std::size_t>(machine_.topology().platform)]; }
 
@@ -46,6 +48,7 @@ class SampleWork {
   double length_;
   Asked asked_;
   mechanics::State state_;
+  HoldingWrenches wrenches_;
 };
 
 }  // namespace pmreport::analysis

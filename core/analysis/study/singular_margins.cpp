@@ -20,11 +20,10 @@ AlongMotion along_motion(const Analysis& a, double length) {
   tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
     if (a.outcome(static_cast<int>(k)) == Outcome::unreachable) return;
     const mechanics::Pose pose = a.pose(static_cast<int>(k));
-    double g[36];
-    if (pose.status != PM_OK || m.jacobian(PM_VALUE, 1, pose.numbers.data(), g) != PM_OK) return;
-    const mechanics::Matrix6d jacobian = Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(g);
-    if (!jacobian.allFinite()) return;
-    const mechanics::Conditioning c = mechanics::conditioning(m, jacobian, length);
+    if (pose.status != PM_OK) return;
+    const mechanics::Jacobian g = m.jacobian(pose);
+    if (!g.known()) return;
+    const mechanics::Conditioning c = mechanics::conditioning(m, g.matrix, length);
     out.determinant[k] = c.determinant, out.smallest[k] = c.smallest, out.condition[k] = c.condition();
   });
   for (std::size_t k = 0; k < n; ++k)

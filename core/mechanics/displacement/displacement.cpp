@@ -3,6 +3,9 @@
 #include <core/assertion.hpp>
 #include <core/linear/square.hpp>
 #include <core/mechanics/model/effort.hpp>
+#include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/model/overall_jacobian.hpp>
+#include <core/mechanics/model/tangent.hpp>
 
 #include <fmt/core.h>
 
@@ -12,7 +15,10 @@
 namespace pmreport::mechanics {
 
 ForwardSolver::ForwardSolver(const Machine& machine)
-    : machine_(machine), partials_(machine.layout().size() * machine.components(PM_PARTIALS)), values_(machine.layout().size()) {
+    : machine_(machine),
+      length_(characteristic_length(machine)),
+      partials_(machine.layout().size() * machine.components(PM_PARTIALS)),
+      values_(machine.layout().size()) {
   // The size of a mechanism: how far its joints are apart at home.
   const Topology& t = machine.topology();
   for (int i = 0; i < static_cast<int>(t.joints.size()); ++i)
@@ -41,11 +47,15 @@ SmallMatrix ForwardSolver::inverse_jacobian(const SmallVector& q) {
   return linear::inverse(j);
 }
 
-// det G at the pose last placed.
-double ForwardSolver::determinant() const {
-  double g[36];
-  machine_.jacobian(PM_VALUE, 1, values_.data(), g);
-  return linear::determinant(Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(g));
+// The side of the singular surface that the pose last placed is on.
+int ForwardSolver::side() const { return side_of(machine_.jacobian(values_.data()).matrix, length_); }
+
+// No step leads on from q: either the actuators do not determine the pose, or the coordinates do not chart it.
+ForwardSolution& ForwardSolver::undetermined(ForwardSolution& out, const SmallVector& q) const {
+  const auto fault = chart_fault(machine_, q, length_);
+  out.outcome = Outcome::singular;
+  out.why = fault ? in_words(machine_, *fault) : "the actuators do not determine the pose there (singular)";
+  return out;
 }
 
 ForwardSolution ForwardSolver::solve(const SmallVector& actuators, const SmallVector& guess) {
@@ -57,7 +67,7 @@ ForwardSolution ForwardSolver::solve(const SmallVector& actuators, const SmallVe
     out.why = "the guess itself cannot be assembled";
     return out;
   }
-  const double side = determinant();
+  const int side_of_guess = side();
   SmallVector e = error(actuators);
   SmallMatrix inverse = inverse_jacobian(q);
   bool fresh = true;  // inverse_jacobian belongs to q
@@ -75,10 +85,7 @@ ForwardSolution ForwardSolver::solve(const SmallVector& actuators, const SmallVe
     }
     SmallVector step = inverse * e;  // (1)
     const double excess = (step.array() / largest_step_.array()).abs().maxCoeff();
-    if (!(excess < 1e12)) {
-      out.why = "the actuators do not determine the pose there (singular)";
-      return out;
-    }
+    if (!(excess < 1e12)) return undetermined(out, q);
     if (excess > 1) step /= excess;
     int halvings = 0;
     while (!place(q + step) && ++halvings < 30) step *= 0.5;
@@ -104,7 +111,12 @@ ForwardSolution ForwardSolver::solve(const SmallVector& actuators, const SmallVe
     e = next;
   }
   if (out.coordinates != q) place(out.coordinates);
-  if (determinant() * side > 0) {
+  const int side_of_solution = side();
+  if (side_of_guess == 0 || side_of_solution == 0) {
+    out.outcome = Outcome::singular;
+    out.why = side_of_guess == 0 ? "the guess is a singular pose, whose assembly mode cannot be told"
+                                 : "the solution is a singular pose: the actuators do not determine it";
+  } else if (side_of_solution == side_of_guess) {
     out.outcome = Outcome::good;
   } else {
     out.outcome = Outcome::other_assembly_mode;

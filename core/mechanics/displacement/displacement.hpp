@@ -21,13 +21,13 @@ struct ForwardSolution {
 //     J^-1 += (dq - J^-1 dl) dq^T J^-1 / (dq^T J^-1 dl)                             (2)
 // so that J^-1 dl = dq, while the error falls fast, and taken anew from the partials when it does not. A step is at most a tenth of the
 // mechanism's size, or 0.3 rad, and halved while the pose it leads to cannot be assembled. The guess tells the assembly mode: the solution
-// must have det G of the same sign. Keeps its buffers: make one a thread and reuse it.
+// must have det G of the same sign, as far as rounding lets it be known. Keeps its buffers: make one a thread and reuse it.
 class ForwardSolver {
  public:
   explicit ForwardSolver(const Machine& machine);  // which must outlive it
 
   // `actuators`: l* [m], [rad]; `guess`: coordinates [m], [rad]; both dof long. Outcomes: good, not_converged (then the best met is given),
-  // other_assembly_mode. Throws nothing.
+  // singular (guess or solution), other_assembly_mode. Throws nothing.
   ForwardSolution solve(const SmallVector& actuators, const SmallVector& guess);
 
   static constexpr double tolerance = 1e-14;  // of the actuators, relative to the mechanism's size: a few roundings
@@ -37,10 +37,11 @@ class ForwardSolver {
   bool place(const SmallVector& q);  // fills values_; false where q cannot be assembled
   SmallVector error(const SmallVector& actuators) const;
   SmallMatrix inverse_jacobian(const SmallVector& q);
-  double determinant() const;
+  int side() const;
+  ForwardSolution& undetermined(ForwardSolution& out, const SmallVector& q) const;
 
   const Machine& machine_;
-  double size_ = 0;
+  double size_ = 0, length_;
   SmallVector largest_step_;
   std::vector<double> partials_, values_;
 };

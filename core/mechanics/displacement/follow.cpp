@@ -4,6 +4,8 @@
 #include <core/linear/square.hpp>
 #include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/model/overall_jacobian.hpp>
+#include <core/mechanics/model/tangent.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +22,7 @@ constexpr double longest_step = 0.25;
 constexpr double largest_share = 0.25, negligible = 1e-3;
 // Of the whole span: how near an obstacle is approached, hence how exactly its time is known.
 constexpr double resolution_of_span = 1e-10;
-// On a branch that folds back det G vanishes as the root of the time that is left, at the resolution to 1e-5; at the edge of reach it
+// On a branch that folds back det G_ vanishes as the root of the time that is left, at the resolution to 1e-5; at the edge of reach it
 // stays.
 constexpr double vanished = 1e-3;
 
@@ -31,23 +33,34 @@ Follower::Follower(const Machine& machine, const Drive& drive)
       drive_(drive),
       solver_(machine),
       unit_(machine.dof()),
+      length_(characteristic_length(machine)),
       values_(machine.layout().size()),
       partials_(machine.layout().size() * machine.components(PM_PARTIALS)),
       jets_(machine.layout().size() * machine.components(PM_JET)) {
-  const double length = characteristic_length(machine);
   for (int i = 0; i < machine.dof(); ++i)
-    unit_(i) = mechanics::size_of(machine.topology().coordinates[static_cast<std::size_t>(i)].sense(), length);
-  largest_determinant_ = std::abs(determinant(machine.home()));
+    unit_(i) = mechanics::size_of(machine.topology().coordinates[static_cast<std::size_t>(i)].sense(), length_);
+  largest_margin_ = margin(machine.home());
 }
 
 double Follower::size_of(const SmallVector& dq) const { return (dq.array() / unit_.array()).abs().maxCoeff(); }
 
-// det G at q; NaN where q cannot be assembled.
-double Follower::determinant(const SmallVector& q) {
-  if (machine_.place(PM_VALUE, 1, q.data(), values_.data()) != PM_OK) return std::numeric_limits<double>::quiet_NaN();
-  double g[36];
-  machine_.jacobian(PM_VALUE, 1, values_.data(), g);
-  return linear::determinant(Eigen::Map<const Matrix6d>(g));  // of the transpose, which has the same
+// G_ at q; nothing where q cannot be assembled.
+std::optional<Matrix6d> Follower::wrenches(const SmallVector& q) {
+  if (machine_.place(PM_VALUE, 1, q.data(), values_.data()) != PM_OK) return std::nullopt;
+  const Jacobian g = machine_.jacobian(values_.data());
+  return g.known() ? std::optional(unit_wrenches(g.matrix, length_)) : std::nullopt;
+}
+
+// The side of the singular surface; 0 on it, and where q cannot be assembled.
+int Follower::side(const SmallVector& q) {
+  const auto g = wrenches(q);
+  return g ? linear::sign_of_determinant(*g) : 0;
+}
+
+// |det G_|, which vanishes on the surface; NaN where q cannot be assembled.
+double Follower::margin(const SmallVector& q) {
+  const auto g = wrenches(q);
+  return g ? std::abs(linear::determinant(*g)) : std::numeric_limits<double>::quiet_NaN();
 }
 
 // (1) and (2). The jet of l along (q, q', 0) has the second derivative J' q', exactly.
@@ -80,17 +93,17 @@ bool Follower::step(const Waymark& from, double to, SmallVector& q) {
   SmallVector l(m), rate(m), acceleration(m);
   drive_(to, l.data(), rate.data(), acceleration.data());
   if (!l.allFinite()) return false;
-  const double h = to - from.time, side = determinant(from.value);
+  const double h = to - from.time;
+  const int side_before = side(from.value);
   SmallVector guess = from.value + h * (from.rate + h / 2 * from.acceleration);  // (3)
   if (!guess.allFinite() || size_of(guess - from.value) > longest_step) return false;
-  if (!(determinant(guess) * side > 0)) guess = from.value;
+  if (side(guess) * side_before <= 0) guess = from.value;
   const ForwardSolution s = solver_.solve(l, guess);
   if (s.outcome != Outcome::good) return false;
   const double moved = size_of(s.coordinates - from.value), corrected = size_of(s.coordinates - guess);
   if (moved > longest_step || corrected > std::max(largest_share * moved, negligible)) return false;
-  const double determinant_there = determinant(s.coordinates);
-  if (!(determinant_there * side > 0)) return false;
-  largest_determinant_ = std::max({largest_determinant_, std::abs(side), std::abs(determinant_there)});
+  if (side(s.coordinates) * side_before <= 0) return false;
+  largest_margin_ = std::max({largest_margin_, margin(from.value), margin(s.coordinates)});
   q = s.coordinates;
   return true;
 }
@@ -113,10 +126,11 @@ Follower::Arrival Follower::go(Waymark at, double to, double resolution) {
   return {std::move(at), Outcome::good, ""};
 }
 
-// Why the way ends: where det G has vanished the surface is singular. Elsewhere the mechanism may say itself why it goes no further.
+// Why the way ends: where the coordinates are singular they cannot follow; where det G_ has vanished the surface is singular. Elsewhere the
+// mechanism may say itself why it goes no further.
 Follower::Arrival Follower::stopped(Waymark at, double direction, double resolution) {
-  const double left = std::abs(determinant(at.value));
-  if (!(left > vanished * largest_determinant_)) return {std::move(at), Outcome::singular, ""};
+  if (const auto fault = chart_fault(machine_, at.value, length_)) return {std::move(at), Outcome::singular, in_words(machine_, *fault)};
+  if (!(margin(at.value) > vanished * largest_margin_)) return {std::move(at), Outcome::singular, ""};
   std::string why;
   for (double h = resolution; why.empty() && size_of(h * at.rate) < negligible && h < 1e9 * resolution; h *= 2) {
     const SmallVector beyond = at.value + direction * h * at.rate;

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <core/mechanics/displacement/displacement.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,13 +45,16 @@ class Follower {
   bool step(const Waymark& from, double to, SmallVector& q);
   double size_of(const SmallVector& dq) const;
   Arrival stopped(Waymark at, double direction, double resolution);
-  double determinant(const SmallVector& q);
+  std::optional<Matrix6d> wrenches(const SmallVector& q);
+  int side(const SmallVector& q);
+  double margin(const SmallVector& q);
 
   const Machine& machine_;
   const Drive& drive_;
   ForwardSolver solver_;
-  SmallVector unit_;                // of each coordinate: a length of the mechanism's size, or a radian
-  double largest_determinant_ = 0;  // |det G| on the way so far
+  SmallVector unit_;  // of each coordinate: a length of the mechanism's size, or a radian
+  double length_;
+  double largest_margin_ = 0;  // |det G_| on the way so far
   std::vector<double> values_, partials_, jets_;
 };
 

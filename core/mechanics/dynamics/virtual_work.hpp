@@ -9,26 +9,17 @@
 #pragma once
 
 #include <core/mechanics/dynamics/momentum.hpp>
+#include <core/mechanics/model/tangent.hpp>
 
 namespace pmreport::mechanics {
-
-// How bodies and actuators move with the independent coordinates, at one pose.
-struct Tangent {
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;  // as the contract has partials
-  Rows bodies;            // K, 6 n x m: (velocity of the origin; angular velocity) of the bodies 1..n by each coordinate's rate
-  SmallMatrix actuators;  // J, m x m
-  std::vector<double> placement_partials;  // as the contract has them
-};
-// Of the pose of `state`, which is PM_OK. The second reuses the memory of `out`.
-Tangent tangent(const Machine& machine, const State& state);
-void tangent(const Machine& machine, const State& state, Tangent& out);
 
 // The actuator forces, push positive, [N] or [N m], by what asks for them. They sum to the whole.
 struct ForceShares {
   SmallVector load, gravity, inertia;
   SmallVector total() const { return load + gravity + inertia; }
 };
-// By (1), each share of the wrenches apart. J is singular where an inverse singularity is: then the forces are not finite, or large.
+// By (1), each share of the wrenches apart, in the motions of the tangent, whatever they are. J is singular where the actuators do not hold
+// the platform: then the forces are not finite, or large.
 ForceShares virtual_work(const Machine& machine, const State& state, const Tangent& tangent, const Loading& loading);
 
 // The share of the weights alone, at rest or not.
@@ -40,7 +31,8 @@ struct EquationsOfMotion {
   SmallVector coriolis;  // centrifugal and Coriolis terms at the rates of the state
   SmallVector gravity;
 };
-// (2), at the coordinates and rates of `state`; its accelerations play no part. `gravity` [m/s^2].
+// (2), at the coordinates and rates of `state`; its accelerations play no part. `gravity` [m/s^2]. In the motions of the tangent, which are
+// those of the coordinates only while tangent.by_coordinates.
 EquationsOfMotion equations_of_motion(const Machine& machine, const State& state, const Tangent& tangent, const Eigen::Vector3d& gravity);
 
 // The inertia that each actuator feels, the other actuators held: diagonal of (3) [kg], or [kg m^2] of a rotary actuator. `mass`: M.

@@ -1,4 +1,5 @@
 #include <core/mechanics/forward_dynamics/forced_motion.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 
 #include <core/linear/square.hpp>
 #include <core/mechanics/dynamics/virtual_work.hpp>
@@ -37,7 +38,7 @@ void ForcedMotion::place(const SmallVector& q, const SmallVector& rate) {
   if (!q.allFinite() || !rate.allFinite() || !moves(q) || !moves(rate))
     throw NoMotion(Outcome::failed, "the motion grows beyond the range of numbers");
   evaluate(machine_, q.data(), rate.data(), none_.data(), state_);
-  if (state_.status == PM_UNREACHABLE) throw NoMotion(Outcome::unreachable, state_.why);
+  if (state_.status == PM_UNREACHABLE || state_.status == PM_SINGULAR) throw NoMotion(Outcome::unreachable, state_.why);
   if (state_.status != PM_OK) throw MechanismError(PM_FAILED, state_.why);
 }
 
@@ -46,6 +47,11 @@ ForcedMotion::Answer ForcedMotion::at(double t, const SmallVector& q, const Smal
   ++evaluations_;
   place(q, rate);
   const Tangent k = tangent(machine_, state_);
+  if (!k.by_coordinates) {
+    const auto fault = chart_fault(machine_, q, characteristic_length(machine_));
+    throw NoMotion(Outcome::failed, (fault ? in_words(machine_, *fault) : "the coordinates are singular there") +
+                                        std::string("; turn the platform's own axes, so that it moves at other angles"));
+  }
   const EquationsOfMotion e = equations_of_motion(machine_, state_, k, problem_.gravity);
 
   forces_.setZero();

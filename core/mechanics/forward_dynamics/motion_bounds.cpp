@@ -47,14 +47,13 @@ MotionBounds::MotionBounds(const Machine& machine)
 }
 
 double MotionBounds::determinant(const Pose& pose) const {
-  double g[36];
-  if (machine_.jacobian(PM_VALUE, 1, pose.numbers.data(), g) != PM_OK) return 0;  // it has no value on some singular surfaces
-  return linear::determinant(Eigen::Map<const Matrix6d>(g));                      // of the transpose, which has the same
+  const Jacobian g = machine_.jacobian(pose);
+  return g.known() ? linear::determinant(g.matrix) : 0;  // it has no value on some singular surfaces
 }
 
 std::optional<Eigen::VectorXd> MotionBounds::margins(const SmallVector& q) const {
   const Pose pose = machine_.pose({q.data(), static_cast<std::size_t>(q.size())});
-  if (pose.status == PM_UNREACHABLE) return std::nullopt;
+  if (pose.status == PM_UNREACHABLE || pose.status == PM_SINGULAR) return std::nullopt;
   if (pose.status != PM_OK) throw MechanismError(PM_FAILED, pose.why);
   const std::vector<BodyState> bodies = bodies_at_rest(machine_, pose);
   Eigen::VectorXd out(static_cast<Eigen::Index>(bounds_.size()));
@@ -76,7 +75,7 @@ std::optional<Eigen::VectorXd> MotionBounds::margins(const SmallVector& q) const
 
 void MotionBounds::begin(const SmallVector& q) {
   const Pose pose = machine_.pose({q.data(), static_cast<std::size_t>(q.size())});
-  if (pose.status == PM_UNREACHABLE)
+  if (pose.status == PM_UNREACHABLE || pose.status == PM_SINGULAR)
     throw MechanismError(PM_BAD_ARGUMENT, "the mechanism cannot be assembled there" + (pose.why.empty() ? "" : ": " + pose.why));
   if (pose.status != PM_OK) throw MechanismError(PM_FAILED, pose.why);
   if (std::signbit(determinant(pose)) != std::signbit(determinant_)) determinant_ = -determinant_;

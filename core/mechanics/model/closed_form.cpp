@@ -3,34 +3,41 @@
 #include <core/assertion.hpp>
 #include <core/linear/singular_values.hpp>
 #include <core/linear/square.hpp>
+#include <core/mechanics/model/overall_jacobian.hpp>
 
+#include <algorithm>
 #include <limits>
 
 namespace pmreport::mechanics {
+
+namespace {
+
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+double condition_of(const Matrix6d& g) {
+  if (!g.allFinite()) return std::numeric_limits<double>::infinity();
+  const Vector6d sigma = linear::singular_values(g);
+  return sigma(5) > 0 ? sigma(0) / sigma(5) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
 
 ClosedForm closed_form(const Machine& machine, const State& state, double length) {
   PMREPORT_ASSERT(state.status == PM_OK, "the state is that of an assembled pose");
   PMREPORT_ASSERT(length > 0, "the characteristic length is positive");
   double jets[108];
-  machine.jacobian(PM_JET, 1, state.placement_jets.data(), jets);
   ClosedForm c;
+  if (machine.jacobian(PM_JET, 1, state.placement_jets.data(), jets) != PM_OK) std::ranges::fill(jets, not_known);
   for (int e = 0; e < 36; ++e) {
     c.jacobian(e / 6, e % 6) = jets[3 * e];
     c.jacobian_rate(e / 6, e % 6) = jets[3 * e + 1];
   }
   c.determinant = linear::determinant(c.jacobian);
-
-  // Moments count per characteristic length; a row whose magnitude is a couple, or an angle's torque, is measured in that length as well.
-  Matrix6d g = c.jacobian;
-  g.rightCols<3>() /= length;
-  const Topology& t = machine.topology();
-  for (int i = 0; i < 6; ++i) {
-    const auto k = static_cast<std::size_t>(i < machine.dof() ? i : i - machine.dof());
-    const Sense sense = i < machine.dof() ? t.actuators[k].sense() : t.constraints[k].sense();
-    if (sense == Sense::rotary) g.row(i) *= length;
-  }
-  const Vector6d sigma = linear::singular_values(g);
-  c.condition = sigma(5) > 0 ? sigma(0) / sigma(5) : std::numeric_limits<double>::infinity();
+  c.side = side_of(c.jacobian, length);
+  c.condition = condition_of(dimensionless(machine, c.jacobian, length));
+  const Matrix6d wrenches = unit_wrenches(c.jacobian, length);
+  c.wrench_determinant = linear::determinant(wrenches);
+  c.wrench_condition = condition_of(wrenches);
   return c;
 }
 

@@ -12,10 +12,13 @@ namespace pmreport::mechanics {
 struct ClosedForm {
   Matrix6d jacobian, jacobian_rate;  // G and G' along the motion
   double determinant = 0;            // of G, in its own units
-  double condition = 0;              // of G made dimensionless (singularity.hpp), 1 at best; infinite where G is singular
+  int side = 0;                      // its sign, 0 where rounding could turn it over (overall_jacobian.hpp)
+  double condition = 0;              // of G^, 1 at best; infinite where G is singular
+  double wrench_determinant = 0;     // of the unit wrenches G_
+  double wrench_condition = 0;       // of these: what a solution by G loses, whatever the levers of the actuators
 };
 // Of an assembled pose: `state.status` is PM_OK. `length`: characteristic_length(machine) [m]. Where the plugin gives no G the numbers are
-// not finite.
+// not finite, and the side is 0.
 ClosedForm closed_form(const Machine& machine, const State& state, double length);
 
 // The right sides of (1) and (2): (actuator rates, 0) of a state, and (actuator accelerations, 0).

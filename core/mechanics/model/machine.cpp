@@ -77,13 +77,6 @@ Pose Machine::pose(std::span<const double> coordinates) const {
   Pose p;
   p.numbers.resize(layout_.size());
   p.status = place(PM_VALUE, 1, coordinates.data(), p.numbers.data(), &p.why);
-  if (p.status != PM_OK) return p;
-  for (const double x : p.numbers)
-    if (!std::isfinite(x)) {
-      p.status = PM_FAILED;
-      p.why = "the plugin returned numbers that are not finite";
-      break;
-    }
   return p;
 }
 
@@ -122,8 +115,15 @@ std::size_t Machine::components(pm_order order) const {
 }
 
 pm_status Machine::place(pm_order order, std::size_t count, const double* coordinates, double* placement, std::string* why) const {
-  if (why == nullptr) return table_->kinematics->place(instance_, order, count, coordinates, placement, nullptr);
-  return call(*why, [&](pm_text* text) { return table_->kinematics->place(instance_, order, count, coordinates, placement, text); });
+  const auto ask = [&](pm_text* text) { return table_->kinematics->place(instance_, order, count, coordinates, placement, text); };
+  const pm_status status = why == nullptr ? ask(nullptr) : call(*why, ask);
+  if (status != PM_OK || count != 1) return status;
+  // A sum is finite only when no term is NaN or infinite.
+  const Eigen::Map<const Eigen::ArrayXd> numbers(placement, static_cast<Eigen::Index>(layout_.size() * components(order)));
+  if ((0.0 * numbers).sum() == 0) return PM_OK;
+  if (why != nullptr)
+    *why = order == PM_VALUE ? "the geometry has no finite numbers there" : "the rates of the geometry are not finite there";
+  return PM_SINGULAR;
 }
 
 std::vector<Eigen::MatrixXd> Machine::matrices(std::span<const double> coordinates, const Pose& pose) const {

@@ -40,7 +40,7 @@ ParameterValues default_values(const MechanismInfo& info);
 
 // Where everything is: the numbers of a placement (plugin.h tells their order) with a reader's access.
 struct Pose {
-  pm_status status = PM_FAILED;  // PM_OK, PM_UNREACHABLE, PM_FAILED
+  pm_status status = PM_FAILED;  // PM_OK; PM_UNREACHABLE; PM_SINGULAR: the geometry has no finite numbers there; PM_FAILED
   std::string why;               // a sentence when not PM_OK
   std::vector<double> numbers;   // layout().size() of them, SI; without meaning when not PM_OK
 };
@@ -86,8 +86,8 @@ class Machine {
   // scalar s of pose k stands at [(c s + e) count + k]. Neither throws; `why` gets a sentence when the answer is not PM_OK.
   //
   // Where everything is. `coordinates`: dof scalars a pose, with PM_PARTIALS plain values; `placement`: layout().size() scalars. Of one
-  // pose PM_UNREACHABLE when it cannot be assembled; of several each one's reach, negative then, is the first scalar of its placement, and
-  // the numbers of such a pose mean nothing.
+  // pose PM_UNREACHABLE when it cannot be assembled, PM_SINGULAR when its numbers are not finite, as of a limb without length; of several
+  // each one's reach, negative then, is the first scalar of its placement, and the numbers of such a pose mean nothing.
   pm_status place(pm_order order, std::size_t count, const double* coordinates, double* placement, std::string* why = nullptr) const;
   // The plugin's overall Jacobian G of a placement that is in reach: 36 scalars a pose, row-major, G V = (actuator rates, 0), V the twist
   // of the platform about its reference point. A row of an actuator has [m/s] or [rad/s] by [m/s, rad/s]. Not finite, or PM_SINGULAR, where

@@ -59,13 +59,9 @@ void evaluate(const Machine& machine, const double* q, const double* q_rate, con
   out.status = machine.place(PM_JET, 1, out.coordinate_jets.data(), out.placement_jets.data());
   if (out.status != PM_OK) {  // only plain numbers come with a sentence
     std::vector<double> numbers(layout.size());
-    machine.place(PM_VALUE, 1, q, numbers.data(), &out.why);
-    return;
-  }
-  // A sum is finite only when no term is NaN or infinite.
-  if ((0.0 * Eigen::Map<const Eigen::ArrayXd>(jets, static_cast<Eigen::Index>(out.placement_jets.size()))).sum() != 0) {
-    out.status = PM_FAILED;
-    out.why = "the plugin returned numbers that are not finite";
+    const pm_status plain = machine.place(PM_VALUE, 1, q, numbers.data(), &out.why);
+    if (plain == PM_OK)
+      out.why = "the pose exists, but its rates are not finite: it is the end of reach, or the geometry has a corner there";
     return;
   }
   out.bodies.resize(t.bodies.size());

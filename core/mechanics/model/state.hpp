@@ -42,7 +42,7 @@ struct Scalar {  // a quantity with its time derivatives: [m] or [rad], a second
 };
 
 struct State {
-  pm_status status = PM_FAILED;  // PM_OK; PM_UNREACHABLE; PM_FAILED: the plugin gave numbers that are not finite
+  pm_status status = PM_FAILED;  // PM_OK; PM_UNREACHABLE; PM_SINGULAR: no finite numbers, or rates, there; PM_FAILED
   std::string why;               // a sentence when not PM_OK; then nothing below but the coordinates is to be read
   std::vector<Scalar> coordinates, actuators, derived;
   std::vector<BodyState> bodies;  // base first

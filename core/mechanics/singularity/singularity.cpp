@@ -7,7 +7,9 @@
 #include <core/mechanics/model/constraint_scale.hpp>
 #include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/model/random_poses.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -21,18 +23,12 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// Of the magnitude that a row of G belongs to: an actuator, or a constraint wrench.
-Sense sense_of_row(const Machine& m, int row) {
-  const Topology& t = m.topology();
-  return row < m.dof() ? t.actuators[static_cast<std::size_t>(row)].sense()
-                       : t.constraints[static_cast<std::size_t>(row - m.dof())].sense();
-}
-
-std::optional<Matrix6d> jacobian_of(const Machine& machine, const double* placement) {
-  double numbers[36];
-  if (machine.jacobian(PM_VALUE, 1, placement, numbers) != PM_OK) return std::nullopt;
-  const Matrix6d g = Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(numbers);
-  return g.allFinite() ? std::optional(g) : std::nullopt;
+// Nothing where the pose cannot be assembled, or the plugin gives no G.
+std::optional<Matrix6d> jacobian_at(const Machine& machine, const VectorXd& coordinates) {
+  const Pose pose = machine.pose({coordinates.data(), static_cast<std::size_t>(coordinates.size())});
+  if (pose.status != PM_OK) return std::nullopt;
+  const Jacobian g = machine.jacobian(pose);
+  return g.known() ? std::optional(g.matrix) : std::nullopt;
 }
 
 // Of sorted singular values the one after which only zeros are expected.
@@ -42,15 +38,6 @@ double margin(const MatrixXd& m, Index expected_rank) {
 }
 
 }  // namespace
-
-Matrix6d dimensionless(const Machine& machine, const Matrix6d& jacobian, double length) {
-  PMREPORT_ASSERT(length > 0, "the characteristic length is positive");
-  Matrix6d g = jacobian;
-  g.rightCols<3>() /= length;
-  for (int i = 0; i < 6; ++i)
-    if (sense_of_row(machine, i) == Sense::rotary) g.row(i) *= length;
-  return g;
-}
 
 double Conditioning::condition() const { return smallest > 0 ? largest / smallest : std::numeric_limits<double>::infinity(); }
 
@@ -115,10 +102,8 @@ std::optional<Singularity> singularity_at(const Machine& machine, const VectorXd
   Singularity s;
   s.coordinates = coordinates;
   s.state = state_at_rest(machine, coordinates);
-  std::vector<double> placement(machine.layout().size());
-  if (s.state.status != PM_OK || machine.place(PM_VALUE, 1, coordinates.data(), placement.data()) != PM_OK) return std::nullopt;
-  const std::optional<Matrix6d> g = jacobian_of(machine, placement.data());
-  if (!g) return std::nullopt;
+  const std::optional<Matrix6d> g = jacobian_at(machine, coordinates);
+  if (s.state.status != PM_OK || !g) return std::nullopt;
   s.jacobian = *g;
   s.conditioning = conditioning(machine, *g, length);
   s.ranks = line_ranks(machine, *g, length);
@@ -128,10 +113,23 @@ std::optional<Singularity> singularity_at(const Machine& machine, const VectorXd
 }
 
 double dimensionless_determinant(const Machine& machine, const VectorXd& coordinates, double length) {
-  std::vector<double> placement(machine.layout().size());
-  if (machine.place(PM_VALUE, 1, coordinates.data(), placement.data()) != PM_OK) return nan;
-  const std::optional<Matrix6d> g = jacobian_of(machine, placement.data());
+  const std::optional<Matrix6d> g = jacobian_at(machine, coordinates);
   return g ? linear::determinant(dimensionless(machine, *g, length)) : nan;
+}
+
+std::optional<WrenchDeterminant> wrench_determinant(const Machine& machine, const VectorXd& coordinates, double length) {
+  const std::optional<Matrix6d> g = jacobian_at(machine, coordinates);
+  if (!g) return std::nullopt;
+  return WrenchDeterminant{linear::determinant(unit_wrenches(*g, length)), side_of(*g, length)};
+}
+
+bool singular_everywhere(const Machine& machine, double length) {
+  constexpr int looked_at = 16;
+  const auto singular = [&](const VectorXd& q) {
+    const auto d = wrench_determinant(machine, q, length);
+    return d && d->side == 0;
+  };
+  return singular(machine.home()) && std::ranges::all_of(random_poses(machine, looked_at, 1), singular);
 }
 
 std::optional<OnSurface> onto_surface(const Machine& machine, const VectorXd& coordinates, double length, double reach) {

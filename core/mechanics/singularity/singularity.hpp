@@ -7,17 +7,12 @@
 
 #include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/mobility/wrench_system.hpp>
+#include <core/mechanics/model/overall_jacobian.hpp>
 
 #include <optional>
 #include <vector>
 
 namespace pmreport::mechanics {
-
-// G made dimensionless by a length L [m],
-//     G^ = D G diag(1, 1, 1, 1/L, 1/L, 1/L)                    (1)
-// D = L for rows whose magnitude is a couple or belongs to a rotary actuator, else 1. Its singular values compare velocities v with L w,
-// and forces with couples per L.
-Matrix6d dimensionless(const Machine& machine, const Matrix6d& jacobian, double length);
 
 struct Conditioning {
   double determinant = 0;  // of G^
@@ -72,6 +67,18 @@ std::optional<Singularity> singularity_at(const Machine& machine, const Eigen::V
 
 // det G^ at dof coordinates [m], [rad]; NaN where the pose cannot be assembled, or the plugin gives no G.
 double dimensionless_determinant(const Machine& machine, const Eigen::VectorXd& coordinates, double length);
+
+// What the wrenches on the platform are at dof coordinates: det G_, whose sign is that of det G and which has no poles, and its sign as far
+// as rounding lets it be known. Nothing where the pose cannot be assembled, or the plugin gives no G.
+struct WrenchDeterminant {
+  double value = 0;  // 1 at most, in magnitude: of six unit wrenches
+  int side = 0;
+};
+std::optional<WrenchDeterminant> wrench_determinant(const Machine& machine, const Eigen::VectorXd& coordinates, double length);
+
+// An architecture that is singular at every pose: rounding could turn det G over at home and at random poses of the coordinates' box, all
+// of them. Such a machine holds its platform nowhere.
+bool singular_everywhere(const Machine& machine, double length);
 
 // The pose on the singular surface that a pose given by rounded numbers means: the zero of det G along that one coordinate which changes
 // det G most, when it is no farther than `reach` (radians, or lengths). Nothing when there is none, or the pose cannot be assembled.

@@ -14,6 +14,8 @@ namespace pmreport::mechanics {
 namespace {
 
 std::string ending_of(Outcome outcome, double t, const std::string& why) {
+  if (outcome == Outcome::singular && !why.empty())
+    return fmt::format("ends at t = {} s: {}, and actuators that are prescribed cannot be followed in them", format_number(t, 6), why);
   if (outcome == Outcome::singular)
     return fmt::format(
         "meets a singular surface at t = {} s: there the actuators no longer determine the pose, and beyond it no pose of this assembly "

@@ -1,46 +1,54 @@
 #include <core/mechanics/trajectory/singular_surface.hpp>
 
-#include <core/mechanics/displacement/displacement.hpp>
+#include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/model/overall_jacobian.hpp>
 #include <core/text/units.hpp>
 
 #include <fmt/format.h>
-
-#include <Eigen/LU>
-#include <limits>
 
 namespace pmreport::mechanics {
 
 namespace {
 
-// det G at a time; NaN where there is no pose.
-double determinant_at(const Path& path, const Machine& machine, double t) {
-  const int dof = machine.dof();
-  SmallVector q(dof), rate(dof), acceleration(dof);
-  if (!path(t, q.data(), rate.data(), acceleration.data())) return std::numeric_limits<double>::quiet_NaN();
-  const Pose pose = machine.pose({q.data(), static_cast<std::size_t>(dof)});
-  if (pose.status != PM_OK) return std::numeric_limits<double>::quiet_NaN();
-  double g[36];
-  machine.jacobian(PM_VALUE, 1, pose.numbers.data(), g);
-  return Eigen::Map<const Matrix6d>(g).determinant();  // of the transpose, which has the same
-}
+// The side of the singular surface at a time: 0 on it; nothing where there is no pose.
+class Along {
+ public:
+  Along(const Path& path, const Machine& machine)
+      : path_(path), machine_(machine), length_(characteristic_length(machine)), q_(machine.dof()), unused_(machine.dof()) {}
+
+  std::optional<int> side(double t) {
+    if (!path_(t, q_.data(), unused_.data(), unused_.data())) return std::nullopt;
+    const Pose pose = machine_.pose({q_.data(), static_cast<std::size_t>(q_.size())});
+    if (pose.status != PM_OK) return std::nullopt;
+    return side_of(machine_.jacobian(pose).matrix, length_);
+  }
+
+ private:
+  const Path& path_;
+  const Machine& machine_;
+  double length_;
+  SmallVector q_, unused_;
+};
 
 }  // namespace
 
 std::optional<FirstSurface> first_singular_surface(const Trajectory& trajectory, const Machine& machine) {
   const std::vector<double>& t = trajectory.time;
-  double before = std::numeric_limits<double>::quiet_NaN();
+  Along along(trajectory.at, machine);
+  std::optional<int> before;  // at the sample before
   for (std::size_t k = 0; k < t.size(); ++k) {
-    const double here = determinant_at(trajectory.at, machine, t[k]);
-    if (!(before * here <= 0)) {
-      before = here;
+    const std::optional<int> here = along.side(t[k]);
+    if (!here || (before.value_or(*here) == *here && *here != 0)) {
+      if (here) before = here;
       continue;
     }
-    // The sign at `left` is that before; at `right` it is not, or there is no pose.
+    if (k == 0 || !before) return FirstSurface{k, t[k]};  // it begins there
+    // The side at `left` is that before; at `right` it is not, or there is no pose.
     double left = t[k - 1], right = t[k];
     const double resolution = resolution_of_span * (t.back() - t.front());
     while (right - left > resolution) {
       const double middle = 0.5 * (left + right);
-      (determinant_at(trajectory.at, machine, middle) * before > 0 ? left : right) = middle;
+      (along.side(middle) == before ? left : right) = middle;
     }
     return FirstSurface{k, left};
   }

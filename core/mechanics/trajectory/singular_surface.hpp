@@ -1,4 +1,4 @@
-// Where a trajectory meets the first singular surface, as seen by the sign of det G at its samples.
+// Where a trajectory meets the first singular surface, as seen by the side of it that its samples are on (overall_jacobian.hpp).
 #pragma once
 
 #include <core/mechanics/model/machine.hpp>
@@ -12,9 +12,9 @@ constexpr double resolution_of_span = 1e-10;  // of the whole motion: how exactl
 
 struct FirstSurface {
   std::size_t before;  // samples before it
-  double time;         // [s]; the last found with the sign of the samples before, to the resolution above
+  double time;         // [s]; the last found on the side of the samples before, to the resolution above
 };
-// Nothing where det G keeps its sign. A sample without a pose is none to compare with.
+// Nothing where the motion stays on one side. A sample on the surface itself is beyond; one without a pose is none to compare with.
 std::optional<FirstSurface> first_singular_surface(const Trajectory& trajectory, const Machine& machine);
 
 // Ends a trajectory of prescribed coordinates there, and says so in its `ending`; the samples stay. Returns how many are before it: all,

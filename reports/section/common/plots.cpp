@@ -94,9 +94,13 @@ document::Table extremes(const Analysis& a, const std::string& caption, const st
 document::Proof proof(const Analysis& a, const std::vector<Claim>& claims) {
   document::Proof p;
   for (const Claim& c : claims) {
-    const Worst w = a.worst(c.measure);
+    const Worst w = a.worst(c.measure, c.tolerance);
     std::string how = c.how;
     if (w.compared < a.samples()) how += fmt::format(" ({} of {} samples)", w.compared, a.samples());
+    if (w.poorly_known > 0)
+      how += fmt::format("; at {} rounding leaves either side known to {} or better only, and that is what it is judged by",
+                         plural(w.poorly_known, "sample"), format_number(w.poorest, 2));
+    if (w.undecided > 0) how += fmt::format("; at {} no digit is left to compare: not decided", plural(w.undecided, "sample"));
     p.lines.push_back({c.claim, how, w.compared > 0 ? w.value : std::numeric_limits<double>::quiet_NaN(), c.tolerance, c.unit});
   }
   return p;

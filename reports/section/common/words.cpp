@@ -86,23 +86,4 @@ std::vector<std::string> reach_sentences(const Analysis& a) {
   return out;
 }
 
-std::string determinant_words(const Crossing& c) {
-  return c.pole ? "det G changes its sign through infinity" : c.touches ? "det G is zero and keeps its sign" : "det G changes its sign";
-}
-
-std::vector<std::string> singularity_sentences(const Analysis& a) {
-  std::vector<std::string> out;
-  for (const Crossing& c : a.crossings())
-    out.push_back(fmt::format(
-        "Between t = {} and t = {} the motion {} a singular surface: {} at t = {} s. {}", show_time(a, c.before),
-        show_time(a, std::min(c.before + 1, a.samples() - 1)), c.touches ? "touches" : "crosses", determinant_words(c),
-        format_number(c.time, 7),
-        c.pole ? "There a limb holds the platform whatever its actuator does." : "There the actuators do not hold the platform."));
-  for (int k = 0; k < a.samples(); ++k)
-    if (a.outcome(k) == Outcome::singular)
-      out.push_back(fmt::format("t = {}: the pose is singular (condition number {}); forces have no value there.", show_time(a, k),
-                                format_number(a.column(column_of(OfMachine::condition))[static_cast<std::size_t>(k)], 3)));
-  return out;
-}
-
 }  // namespace pmreport::section

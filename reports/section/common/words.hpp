@@ -24,10 +24,7 @@ std::string plural(int n, const std::string& singular, const std::string& many =
 
 // "t = 1.32 s to 2.10 s: l3 (length of limb 3) needs 812.4 mm, its stroke ends at 800.0 mm (worst at t = 1.64 s, 40 samples)".
 std::string sentence(const Analysis& a, const LimitBreach& b);
-// "t = 3.1 s to 3.4 s: cannot be assembled: ..." for each run of unreachable samples; crossings of singular surfaces.
+// "t = 3.1 s to 3.4 s: cannot be assembled: ..." for each run of unreachable samples.
 std::vector<std::string> reach_sentences(const Analysis& a);
-std::vector<std::string> singularity_sentences(const Analysis& a);
-// "det G changes its sign": what it does at a crossing.
-std::string determinant_words(const Crossing& c);
 
 }  // namespace pmreport::section

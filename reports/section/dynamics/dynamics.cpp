@@ -2,6 +2,7 @@
 #include <core/analysis/study/given_forces.hpp>
 #include <core/analysis/study/motion_work.hpp>
 #include <reports/section/common/force_plots.hpp>
+#include <reports/section/common/singular_words.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/dynamics/dynamics.hpp>
 #include <reports/section/dynamics/dynamics_words.hpp>

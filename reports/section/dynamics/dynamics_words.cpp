@@ -154,6 +154,11 @@ std::vector<document::Block> equations_of_motion(const Analysis& a, const std::v
       continue;
     }
     const mechanics::Tangent tangent = mechanics::tangent(a.machine(), probe.state());
+    if (!tangent.by_coordinates) {
+      out.push_back(Paragraph{Paragraph::Tone::note,
+                              fmt::format("At t = {} the coordinates are singular, and the machine is not: no equations in them.", time)});
+      continue;
+    }
     const mechanics::EquationsOfMotion e = mechanics::equations_of_motion(a.machine(), probe.state(), tangent, a.scenario().load.gravity);
     out.push_back(equation_table(a, time, e));
     const mechanics::SmallVector inertia = reflected_inertia(tangent, e.mass);

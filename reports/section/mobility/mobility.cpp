@@ -132,13 +132,12 @@ MobilityAt mobility_at(const mechanics::Machine& machine, const mechanics::State
   }
   if (at.limbs_compared) at.limbs = outside(at.platform.constraints, together, length);
   if (machine.dof() < 6) {
-    double g[36];
-    std::vector<double> placement(machine.layout().size()), q;
+    std::vector<double> q;
     for (const mechanics::Scalar& x : state.coordinates) q.push_back(x.value);
-    machine.place(PM_VALUE, 1, q.data(), placement.data());
-    machine.jacobian(PM_VALUE, 1, placement.data(), g);
-    const Eigen::MatrixXd rows = Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(g).bottomRows(6 - machine.dof());
-    at.closed_form = outside({at.platform.constraints.origin, rows.transpose()}, at.platform.constraints, length);
+    const mechanics::Jacobian g = machine.jacobian(machine.pose(q));
+    const Eigen::MatrixXd rows = g.matrix.bottomRows(6 - machine.dof());
+    at.closed_form = g.known() ? outside({at.platform.constraints.origin, rows.transpose()}, at.platform.constraints, length)
+                               : std::numeric_limits<double>::infinity();
   }
   return at;
 }

@@ -2,6 +2,7 @@
 #include <reports/figure/palette.hpp>
 #include <reports/section/common/limits.hpp>
 #include <reports/section/common/plots.hpp>
+#include <reports/section/common/singular_words.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/dynamics/dynamics.hpp>
 #include <reports/section/mobility/mobility.hpp>

@@ -1,10 +1,10 @@
 // Section `singularity`: how far the motion stays from a loss of control, where it is lost, of which type, and how the platform escapes.
 #include <reports/section/common/plots.hpp>
+#include <reports/section/common/singular_words.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/singularity/singularity.hpp>
 
-#include <fmt/core.h>
-#include <tbb/parallel_for.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +14,7 @@
 namespace pmreport::section {
 
 using document::Paragraph;
+using mechanics::BodyFreedoms;
 using mechanics::Singularity;
 
 namespace {
@@ -39,7 +40,7 @@ std::optional<ExaminedPose> examine(const Analysis& a, const std::string& name, 
   if (!at) return std::nullopt;
   ExaminedPose p{name, coordinates_words(m, q), std::move(*at), std::nullopt};
   p.determinant = p.at.conditioning.determinant, p.smallest = p.at.conditioning.smallest, p.condition = p.at.conditioning.condition();
-  if (snap && !p.singular()) {
+  if (snap && !p.singular() && !a.singular_everywhere()) {
     p.snapped = mechanics::onto_surface(m, q, length);
     if (p.snapped)
       if (auto on = mechanics::singularity_at(m, p.snapped->coordinates, a.mobility(), length)) p.at = std::move(*on);
@@ -63,12 +64,25 @@ document::Table pose_table(const std::vector<ExaminedPose>& poses) {
   return t;
 }
 
+// A margin of the constraints of all bodies at a sample, of that at home; NaN where there is none, or the mechanism has none of the kind.
+double share_of_home(const Analysis& a, BodyFreedoms::Margin which, int sample) {
+  const double home = a.margins().at_home[which], here = a.margins().at_sample[static_cast<std::size_t>(sample)][which];
+  return std::isfinite(home) && home > 0 ? here / home : nan;
+}
+std::vector<double> shares_of_home(const Analysis& a, BodyFreedoms::Margin which) {
+  std::vector<double> out(static_cast<std::size_t>(a.samples()), nan);
+  if (a.margins().at_sample.empty()) return out;  // an architecture that is singular everywhere is not followed
+  for (int k = 0; k < a.samples(); ++k) out[static_cast<std::size_t>(k)] = share_of_home(a, which, k);
+  return out;
+}
+
 figure::Figure motion_figure(const Analysis& a, const AlongMotion& along) {
   figure::Figure f{"singularity",
-                   "Along the motion: determinant, smallest singular value and condition number of Ĝ.",
+                   "Along the motion: determinant, smallest singular value and condition number of Ĝ; last pivot of the constraints of all "
+                   "bodies, of that at home.",
                    "data/singularity.csv",
                    figure::Width::full,
-                   3,
+                   2,
                    {}};
   const std::pair<const char*, const std::vector<double>*> curves[] = {
       {"det Ĝ", &along.determinant}, {"smallest singular value", &along.smallest}, {"condition number", &along.condition}};
@@ -78,35 +92,46 @@ figure::Figure motion_figure(const Analysis& a, const AlongMotion& along) {
     p.series.push_back({"", a.time(), *values, -1});
     f.panels.push_back(std::move(p));
   }
+  figure::Panel p = panel(a, "constraints of all bodies", "constraints of all bodies", "", {});
+  p.y.label = "of home";
+  for (const auto& [name, which] : {std::pair{"actuators locked", BodyFreedoms::locked}, std::pair{"actuators free", BodyFreedoms::free},
+                                    std::pair{"limbs, platform locked", BodyFreedoms::limb}})
+    if (std::vector<double> shares = shares_of_home(a, which); std::ranges::any_of(shares, [](double x) { return std::isfinite(x); }))
+      p.series.push_back({name, a.time(), std::move(shares), static_cast<int>(p.series.size())});
+  if (!p.series.empty()) f.panels.push_back(std::move(p));
   return f;
 }
 
-// The other two kinds of singularities announce themselves in the constraints of the bodies, not in G.
-std::string passive_words(const Analysis& a, double length) {
-  constexpr int looked_at = 16;
-  const int n = std::min(looked_at, a.samples());
-  std::vector<double> inverse(static_cast<std::size_t>(n), nan), constraint = inverse;
-  tbb::parallel_for(0, n, [&](int i) {
-    const int k = n > 1 ? i * (a.samples() - 1) / (n - 1) : 0;
-    if (a.outcome(k) == Outcome::unreachable) return;
-    const mechanics::State s = state_at_rest(a.machine(), a.trajectory().value.row(k).transpose());
-    if (s.status != PM_OK) return;
-    const mechanics::LockedFreedoms f = locked_freedoms(a.machine(), s, a.mobility(), length);
-    inverse[static_cast<std::size_t>(i)] = f.inverse_margin, constraint[static_cast<std::size_t>(i)] = f.constraint_margin;
-  });
-  const auto least = [](const std::vector<double>& v) {
-    double out = std::numeric_limits<double>::infinity();
-    for (const double x : v)
-      if (std::isfinite(x)) out = std::min(out, x);
-    return out;
+// Least of a margin over the motion, relative to that at home, and where. Nothing where it has none.
+struct Least {
+  double share = 0;
+  int sample = 0;
+};
+std::optional<Least> least(const Analysis& a, BodyFreedoms::Margin which) {
+  std::optional<Least> out;
+  for (int k = 0; k < a.samples(); ++k) {
+    const double share = share_of_home(a, which, k);
+    if (std::isfinite(share) && (!out || share < out->share)) out = {share, k};
+  }
+  return out;
+}
+
+// What one body's G does not tell announces itself in the constraints of all bodies.
+std::string margin_words(const Analysis& a) {
+  const auto locked = least(a, BodyFreedoms::locked), free = least(a, BodyFreedoms::free), limb = least(a, BodyFreedoms::limb);
+  std::vector<std::string> parts;
+  const auto tell = [&](const std::optional<Least>& l, const char* what) {
+    if (l) parts.push_back(fmt::format("{}, {} at t = {}", what, typeset(format_number(l->share, 3)), show_time(a, l->sample)));
   };
-  if (!std::isfinite(least(inverse))) return "";
+  tell(locked, "with all actuators locked (zero: bodies move all the same)");
+  tell(free, "with all actuators free (zero: a constraint singularity)");
+  tell(limb, "of the limbs with the platform locked (zero: type 1)");
+  if (parts.empty()) return "";
   return fmt::format(
-      "Types 1 and constraint show in the constraints of the bodies, not in G: at {} poses of the motion the smallest singular value of "
-      "all "
-      "constraints with the platform locked is {} or more (zero: a limb is singular, type 1), that of all constraints {} or more (zero: a "
-      "constraint singularity).",
-      n, typeset(format_number(least(inverse), 3)), typeset(format_number(least(constraint), 3)));
+      "G knows one body of the platform. The constraints of all bodies are followed as well, at every sample and to the least value "
+      "between "
+      "samples where they dip; the last pivot of their rows, of that at home, is least: {}.",
+      fmt::join(parts, "; "));
 }
 
 std::string lines_words(const mechanics::Machine& m, const Singularity& s) {
@@ -185,10 +210,9 @@ Result singularity_section(const Analysis& a, const SingularityOptions& r, const
     const Crossing& c = crossings[i];
     const std::string when = fmt::format("t = {} s", format_number(c.time, 7));
     auto p = examine(a, when, c.coordinates, length, false);
-    met.push_back(fmt::format("At {} the mechanism {} a singular surface between the samples at {} and {}: {}{}.", when,
-                              c.touches ? "touches" : "crosses", show_time(a, c.before),
-                              show_time(a, std::min(c.before + 1, a.samples() - 1)), determinant_words(c),
-                              p ? "; " + type_words(p->at.type) : ""));
+    std::string told = sentence(a, c);
+    if (p && p->singular()) told += " It is of " + type_words(p->at.type) + ".";
+    met.push_back(std::move(told));
     if (p) poses.push_back(std::move(*p));
   }
   if (!poses.empty()) {
@@ -216,6 +240,7 @@ Result singularity_section(const Analysis& a, const SingularityOptions& r, const
       ordered.push_back(portrait(m, p, length, stage, ordered.size() + 1));
 
   if (!a.trajectory().ending.empty()) tell(fmt::format("The motion {}.", a.trajectory().ending), Paragraph::Tone::warning);
+  if (a.singular_everywhere()) tell(singularity_sentences(a).front(), Paragraph::Tone::warning);
   for (const std::string& text : met) tell(text, Paragraph::Tone::warning);
   if (crossings.size() > examined)
     tell(fmt::format("{} more crossings are not looked at.", crossings.size() - examined), Paragraph::Tone::warning);
@@ -225,12 +250,13 @@ Result singularity_section(const Analysis& a, const SingularityOptions& r, const
       "times those of rotary ones, and L times the rows of constraint couples. σ₁ to σ₆ are its singular values; σ₆ is zero on a "
       "singular surface, and its singular vector is the twist that the actuators hold least.",
       show(length, "m"), r.length ? "" : ", the mean distance of the platform's joints from its reference point"));
-  if (crossings.empty() && along.worst >= 0)
+  for (const std::string& text : nearness_sentences(a)) tell(text, Paragraph::Tone::warning);
+  if (crossings.empty() && along.worst >= 0 && !a.singular_everywhere() && a.trajectory().ending.empty())
     tell(fmt::format("The motion stays on one side of every singular surface: det Ĝ keeps its sign, and σ₆ is {} or more, least at t = {}.",
                      typeset(format_number(along.smallest[static_cast<std::size_t>(along.worst)], 3)), show_time(a, along.worst)));
   const bool moves = a.samples() > 0;
   if (moves) s.blocks.push_back(motion_figure(a, along));
-  tell(passive_words(a, length));
+  tell(margin_words(a));
   if (!poses.empty()) {
     tell(lines_words(m, poses.front().at));
     s.blocks.push_back(pose_table(poses));
@@ -245,7 +271,8 @@ Result singularity_section(const Analysis& a, const SingularityOptions& r, const
       if (p.singular() || (worst && p.name == worst->name)) tell(escape_words(a, p, length));
     }
   }
-  if (r.map) {
+  if (r.map && a.singular_everywhere()) tell("A map has nothing to show: every pose of it is singular.");
+  if (r.map && !a.singular_everywhere()) {
     SingularityMap map = singularity_map(a, *r.map, length);
     tell(fmt::format("Of {} poses of the map {} can be assembled; det G is negative at {} of them.", map.all, map.reachable, map.negative));
     s.blocks.push_back(map.figure);
@@ -276,9 +303,11 @@ Result singularity_section(const Analysis& a, const SingularityOptions& r, const
     value(fmt::format("wrench_rank_{}", i + 1), given[i] != nullptr ? given[i]->at.ranks.wrenches : nan);
   }
   if (moves)
-    out.data.insert(out.data.begin(), {"singularity",
-                                       {"t [s]", "determinant", "smallest_singular_value", "condition"},
-                                       {a.time(), along.determinant, along.smallest, along.condition}});
+    out.data.insert(out.data.begin(),
+                    {"singularity",
+                     {"t [s]", "determinant", "smallest_singular_value", "condition", "margin_locked", "margin_free", "margin_limbs"},
+                     {a.time(), along.determinant, along.smallest, along.condition, shares_of_home(a, BodyFreedoms::locked),
+                      shares_of_home(a, BodyFreedoms::free), shares_of_home(a, BodyFreedoms::limb)}});
   return out;
 }
 

@@ -1,5 +1,6 @@
 // Section `statics`.
 #include <reports/section/common/plots.hpp>
+#include <reports/section/common/singular_words.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/statics/statics.hpp>
 

@@ -1,5 +1,6 @@
 // Section `velocity`.
 #include <reports/section/common/kinematic_plots.hpp>
+#include <reports/section/common/singular_words.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/velocity/velocity.hpp>
 

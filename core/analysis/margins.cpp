@@ -1,0 +1,115 @@
+#include <core/analysis/margins.hpp>
+
+#include <core/analysis/motion_search.hpp>
+#include <core/mechanics/singularity/singularity.hpp>
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pmreport::analysis {
+
+using mechanics::BodyFreedoms;
+
+namespace {
+
+// Of its value at home, or of one if that is less: a margin that has vanished. Between samples it is found to half the digits of a double.
+constexpr double vanished = 1e-7;
+// Of its value at home: a margin is looked at between samples where it is less.
+constexpr double low = 0.5;
+// |det G_| of a pose whose wrenches hold the platform.
+constexpr double regular = 1e-6;
+
+constexpr std::array<Crossing::What, BodyFreedoms::count> meaning{Crossing::What::bodies, Crossing::What::freedoms, Crossing::What::limb,
+                                                                  Crossing::What::limb_locked};
+
+// Where a margin vanishes. The wrenches on the platform tell of the platform's own loss of control, with its sides; what they tell is left
+// to them.
+class Losses {
+ public:
+  Losses(const mechanics::Trajectory& trajectory, const mechanics::Machine& machine, const BodyFreedoms& freedoms, const Margins& margins,
+         double length)
+      : t_(trajectory.time),
+        machine_(machine),
+        freedoms_(freedoms),
+        margins_(margins),
+        length_(length),
+        motion_(trajectory, machine.dof()) {}
+
+  std::vector<Crossing> of(BodyFreedoms::Margin which) {
+    const double home = std::min(1.0, margins_.at_home[which]);
+    const auto value = [&](std::size_t k) { return margins_.at_sample[k][which]; };
+    std::vector<Crossing> out;
+    for (std::size_t k = 0; k < t_.size(); ++k) {
+      if (!(value(k) < low * home)) continue;
+      const double left = k > 0 ? value(k - 1) : INFINITY, right = k + 1 < t_.size() ? value(k + 1) : INFINITY;
+      // No minimum, or one that goes on, or the edge of poses that cannot be assembled, which are told as such.
+      if (!(value(k) <= left && value(k) < right)) continue;
+      double when = t_[k];
+      if (!(value(k) < vanished * home)) {
+        const double from = k > 0 ? t_[k - 1] : t_[k], to = k + 1 < t_.size() ? t_[k + 1] : t_[k];
+        when = least_time(from, to, [&](double t) {
+          const double x = at(t)[which];
+          return x < vanished * home ? 0 : x;
+        });
+        if (!(at(when)[which] < vanished * home)) continue;
+      }
+      const auto w = mechanics::wrench_determinant(machine_, motion_.at(when), length_);
+      if (which != BodyFreedoms::limb && w && !(std::abs(w->value) > regular)) continue;
+      const auto before = static_cast<int>(std::upper_bound(t_.begin(), t_.end(), when) - t_.begin()) - 1;
+      out.push_back({before, when, when, motion_.at(when), meaning[which], true});
+    }
+    return out;
+  }
+
+ private:
+  BodyFreedoms::Margins at(double t) {
+    const Eigen::VectorXd q = motion_.at(t);
+    if (q.allFinite()) return freedoms_.at(q);
+    BodyFreedoms::Margins none;
+    none.fill(std::nan(""));
+    return none;
+  }
+
+  const std::vector<double>& t_;
+  const mechanics::Machine& machine_;
+  const BodyFreedoms& freedoms_;
+  const Margins& margins_;
+  double length_;
+  PosesInTime motion_;
+};
+
+}  // namespace
+
+Margins follow_margins(const mechanics::Trajectory& trajectory, const mechanics::Machine& machine, double length) {
+  const BodyFreedoms freedoms(machine);
+  const std::size_t n = trajectory.time.size();
+  Margins out;
+  out.at_home = freedoms.at_home();
+  out.at_sample.resize(n);
+  std::vector<std::optional<mechanics::EndOfReach>> ends(n);
+  std::vector<std::optional<mechanics::ChartFault>> faults(n);
+  tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
+    const Eigen::VectorXd q = trajectory.value.row(static_cast<Eigen::Index>(k));
+    out.at_sample[k].fill(std::nan(""));
+    if (!q.allFinite()) return;
+    out.at_sample[k] = freedoms.at(q);
+    ends[k] = mechanics::end_of_reach(machine, q, length);
+    faults[k] = mechanics::chart_fault(machine, q, length);
+  });
+  Losses losses(trajectory, machine, freedoms, out, length);
+  for (const auto which : {BodyFreedoms::locked, BodyFreedoms::free, BodyFreedoms::limb, BodyFreedoms::limb_locked})
+    std::ranges::copy(losses.of(which), std::back_inserter(out.losses));
+  for (std::size_t k = 0; k < n; ++k) {
+    const int sample = static_cast<int>(k);
+    if (ends[k] && (!out.end_of_reach || ends[k]->distance < out.end_of_reach->end.distance)) out.end_of_reach = {*ends[k], sample};
+    if (!faults[k]) continue;
+    const int samples = (out.chart ? out.chart->samples : 0) + 1;
+    if (!out.chart || faults[k]->quality < out.chart->fault.quality) out.chart = {*faults[k], sample, samples};
+    out.chart->samples = samples;
+  }
+  return out;
+}
+
+}  // namespace pmreport::analysis

@@ -1,0 +1,135 @@
+#include <reports/section/common/singular_words.hpp>
+
+#include <core/text/text.hpp>
+#include <reports/section/common/words.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pmreport::section {
+
+using What = analysis::Crossing::What;
+
+namespace {
+
+constexpr std::size_t most_told = 6;  // crossings; a motion that meets more has said enough
+// From this condition number of the unit wrenches on the platform on, a load asks for forces out of all proportion, and a report says so.
+constexpr double poor_hold = 1000;
+
+const char* meaning(What what) {
+  switch (what) {
+    case What::surface:
+      return "There the actuators do not hold the platform.";
+    case What::pole:
+      return "There a limb holds the platform whatever its actuator does.";
+    case What::bodies:
+      return "There bodies move although all actuators are locked, and forces inside the mechanism grow without bound.";
+    case What::freedoms:
+      return "There the platform has a freedom that no actuator has a say in.";
+    case What::limb:
+      return "There the platform has lost a freedom: with the platform locked an actuator moves (type 1).";
+    case What::limb_locked:
+      return "There bodies of a limb move by themselves, platform and actuators locked.";
+  }
+  return "";
+}
+
+// Samples that are singular and belong to no crossing.
+std::vector<SampleRun> singular_runs(const Analysis& a) {
+  return analysis::runs(a.samples(), [&](int k) {
+    const double t = a.time()[static_cast<std::size_t>(k)];
+    return a.outcome(k) == Outcome::singular &&
+           std::ranges::none_of(a.crossings(), [&](const Crossing& c) { return t >= c.time && t <= c.until; });
+  });
+}
+
+// Sample of the poorest hold among those that hold at all; -1: none.
+int poorest(const Analysis& a) {
+  int out = -1;
+  for (int k = 0; k < a.samples(); ++k)
+    if (a.outcome(k) == Outcome::good && (out < 0 || a.wrenches(k).condition > a.wrenches(out).condition)) out = k;
+  return out;
+}
+
+}  // namespace
+
+std::string signs_of(const Crossing& c) {
+  switch (c.what) {
+    case What::surface:
+      return c.touches ? "det G is zero and keeps its sign" : "det G changes its sign";
+    case What::pole:
+      return "det G changes its sign through infinity";
+    default:
+      return "the constraints of the bodies lose rank though det G is regular";
+  }
+}
+
+std::string sentence(const Analysis& a, const Crossing& c) {
+  const auto time = [](double t) { return format_number(t, 7) + " s"; };
+  const bool at_sample = a.time()[static_cast<std::size_t>(c.before)] == c.time;
+  const std::string when =
+      c.lasts()   ? fmt::format("From t = {} to t = {}", time(c.time), time(c.until))
+      : at_sample ? fmt::format("At the sample t = {}", time(c.time))
+                  : fmt::format("Between t = {} and t = {}", show_time(a, c.before), show_time(a, std::min(c.before + 1, a.samples() - 1)));
+  const bool surface = c.what == What::surface || c.what == What::pole;
+  return fmt::format("{} the motion {} a singular{}: {}{}. {}", when,
+                     c.lasts()   ? "stays on"
+                     : !surface  ? "meets"
+                     : c.touches ? "touches"
+                                 : "crosses",
+                     surface ? " surface" : "ity", signs_of(c), at_sample || c.lasts() ? "" : " at t = " + time(c.time), meaning(c.what));
+}
+
+std::vector<std::string> singularity_sentences(const Analysis& a) {
+  if (a.singular_everywhere())
+    return {
+        "The architecture is singular at every pose: the wrenches of the limbs on the platform depend on one another at home and wherever "
+        "else it was looked at, so that the actuators hold the platform nowhere, and forces and assembly modes have no meaning."};
+  std::vector<std::string> out;
+  const std::vector<Crossing>& crossings = a.crossings();
+  for (std::size_t i = 0; i < std::min(most_told, crossings.size()); ++i) out.push_back(sentence(a, crossings[i]));
+  if (crossings.size() > most_told)
+    out.push_back(fmt::format("The motion meets singularities {} more times, the last at t = {} s.", crossings.size() - most_told,
+                              format_number(crossings.back().time, 7)));
+  for (const SampleRun& run : singular_runs(a))
+    out.push_back(fmt::format("t = {}{}: the pose is singular: {}; forces have no value there.", show_time(a, run.first),
+                              run.first == run.last ? "" : " to " + show_time(a, run.last), a.why(run.first)));
+  return out;
+}
+
+int singularities_met(const Analysis& a) {
+  if (a.singular_everywhere()) return std::max(1, a.samples());
+  return static_cast<int>(a.crossings().size() + singular_runs(a).size());
+}
+
+std::vector<std::string> nearness_sentences(const Analysis& a) {
+  std::vector<std::string> out;
+  if (a.singular_everywhere()) return out;
+  const Topology& t = a.machine().topology();
+  if (const auto& near = a.margins().end_of_reach) {
+    std::vector<std::string> names;
+    for (const int i : near->end.actuators) names.push_back(symbol(t.actuators[static_cast<std::size_t>(i)].name));
+    out.push_back(fmt::format(
+        "At t = {} the end of the reach (a singularity of type 1) is {} away: the {} of {} {} nearly stretched or folded, and the rates of "
+        "{} grow without bound towards it.",
+        show_time(a, near->sample), show(near->end.distance, "m", 3), names.size() == 1 ? "limb" : "limbs", listed(names),
+        names.size() == 1 ? "is" : "are", names.size() == 1 ? "that actuator" : "those actuators"));
+  }
+  if (const int k = poorest(a); k >= 0 && a.wrenches(k).condition > poor_hold)
+    out.push_back(fmt::format(
+        "At t = {} the motion is nearly singular: the wrenches on the platform have the condition number {}, so that a load may ask for "
+        "forces of that many times its size.",
+        show_time(a, k), format_number(a.wrenches(k).condition, 3)));
+  if (const auto& chart = a.margins().chart)
+    out.push_back(
+        fmt::format("At t = {}{} {}. Forces and motions of the bodies come from the platform's twist and are right; the rates of these "
+                    "coordinates, and "
+                    "what is told in them, are not to be relied on. Turn the platform's own axes, so that it moves at other angles.",
+                    show_time(a, chart->sample), chart->samples > 1 ? fmt::format(" (worst of {} samples)", chart->samples) : "",
+                    in_words(a.machine(), chart->fault)));
+  return out;
+}
+
+}  // namespace pmreport::section
