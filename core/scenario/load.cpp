@@ -64,7 +64,7 @@ Load sampled(LoadPart part, const std::vector<double>& time, Diagnostics& diagno
     if (!part.components[k]) continue;
     const LoadPart::Component& component = *part.components[k];
     if (time.size() > 1)
-      for (const Switch& s : behaviour(component.expression, time.front(), time.back()).switches) out.knots.push_back(s.after);
+      for (const Switch& s : behaviour(component.expression, time.front(), time.back()).switches) out.knots.push_back(s.time());
     for (std::size_t i = 0; i < time.size(); ++i) {
       const Jet<double> x = component.expression.at(time[i]);
       if (!finite(Jet<double>(x.value), time[i], component.place, component.key, diagnostics)) break;

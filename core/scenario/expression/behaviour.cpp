@@ -10,11 +10,9 @@ namespace {
 
 constexpr int fewest_steps = 64;
 constexpr std::size_t most_steps = 1u << 20;  // a second or two; more periods than a million samples could show
-constexpr int deepest = 30;                   // halvings of one of the first steps: beside a pole no step is short enough
+constexpr int deepest = 30;                   // halvings of one of the first steps
+constexpr int most_restless = 64;             // steps that are not short enough even so: beside a pole one or two are not
 constexpr int deepest_search = 6;             // halvings of a step in search of switches
-
-// How far beside a touch of zero, of a stretch, both its sides are: nearer, a function that is singular there is nothing but rounding.
-constexpr double away = 1e-6;
 
 using J = Jet<double>;
 
@@ -51,6 +49,7 @@ struct Telltale {
   std::function<Range(std::span<const Range>)> range;
   std::size_t term;  // the last that it needs
   bool singular;
+  double constant = 0;  // that it is told from: its rounding is relative to that
 };
 
 Telltale difference(int a, int b, bool singular) {
@@ -67,7 +66,7 @@ Telltale less(int a, double constant, bool singular) {
           [=](std::span<const Range> r) {
             return Range{r[of].low - constant, r[of].high - constant};
           },
-          of, singular};
+          of, singular, std::abs(constant)};
 }
 
 std::vector<Telltale> telltales(std::span<const Term> terms) {
@@ -147,8 +146,7 @@ class Observer {
       } else if (tale.singular && sign * here > 0 && now.rate * sign > 0 && old.rate * sign < 0) {
         touch(tale, old_time, time, sign, std::max(std::abs(old.value), std::abs(now.value)), out);
       } else if (tale.singular && here == 0 && i + 1 < closer_.size() && sign * sign_of(at(tale, closer_[i + 1]).value) > 0) {
-        const double beside = away * (time - old_time);
-        out.push_back({time - beside, time + beside});
+        out.push_back(beside(tale, time, time - old_time));
       }
       if (here == 0) continue;
       old_time = time, old = now, sign = here;
@@ -167,8 +165,9 @@ class Observer {
     if (steps.size() > most_steps) return false;
     ranges_of(terms_, from, to, ranges_);
     const double middle = 0.5 * (from + to);
-    const bool done = depth == deepest || !(from < middle && middle < to) ||
-                      std::all_of(terms_.begin(), terms_.end(), [&](const Term& t) { return calm(t, ranges_); });
+    const bool short_enough = std::all_of(terms_.begin(), terms_.end(), [&](const Term& t) { return calm(t, ranges_); });
+    const bool done = short_enough || depth == deepest || !(from < middle && middle < to);
+    if (!short_enough && done && ++restless_ > most_restless) return false;
     if (!done) return divide(from, middle, depth + 1, steps) && divide(middle, to, depth + 1, steps);
     steps.push_back(to);
     return true;
@@ -210,8 +209,18 @@ class Observer {
       (at(tale, middle).rate * sign < 0 ? low : high) = middle;
     }
     if (!(std::abs(at(tale, low).value) <= 1e-12 * size)) return;
-    const double beside = away * (to - from);
-    out.push_back({low - beside, high + beside});
+    out.push_back(beside(tale, low, to - from));
+  }
+
+  // Both sides of a place where it touches zero, `width` wide at most: so far away that it is more than the rounding of its constant, which
+  // a function that is singular at zero would blow up.
+  Switch beside(const Telltale& tale, double t, double width) {
+    constexpr double nearest = 1e-9, farthest = 1e-2, clear = 1e-11;  // of the width; of the constant
+    for (double share = nearest;; share *= 10) {
+      const Switch out{t - share * width, t + share * width};
+      const double left = std::abs(at(tale, out.before).value), right = std::abs(at(tale, out.after).value);
+      if (share > farthest || std::min(left, right) > clear * tale.constant) return out;
+    }
   }
 
   const Expression& expression_;
@@ -219,6 +228,7 @@ class Observer {
   std::vector<Range> ranges_;
   std::vector<J> values_;
   std::vector<double> closer_;
+  int restless_ = 0;
 };
 
 }  // namespace

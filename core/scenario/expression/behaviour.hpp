@@ -10,6 +10,7 @@ namespace pmreport::scenario {
 // (division by zero, the root of zero, the arc sine of one).
 struct Switch {
   double before, after;  // times on either side, neighbours as far as numbers tell
+  double time() const { return before + 0.5 * (after - before); }
 };
 
 struct Behaviour {

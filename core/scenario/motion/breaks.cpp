@@ -68,9 +68,12 @@ std::vector<Break> breaks_of(const Law& law) {
       const double scale = std::max(scales.size[k], floor), beside = std::max(std::abs(before[k]), std::abs(after[k]));
       const double jump = std::abs(after[k] - before[k]);
       const bool unbounded = !std::isfinite(jump) || beside > boundless * (scale + (k == 0 ? scales.largest : 0));
-      const double rounding = 10 * (left[k] + right[k]) + (k == 0 ? 64 * std::numeric_limits<double>::epsilon() * beside : 0);
+      // Beside a touch the sides are a little apart, and what is smooth moves on from one to the other.
+      const double moves = k < 2 ? std::max(std::abs(before[k + 1]), std::abs(after[k + 1])) : pace * scale;
+      const double rounding = 10 * (left[k] + right[k]) + (k == 0 ? 64 * std::numeric_limits<double>::epsilon() * beside : 0) +
+                              10 * moves * (s.after - s.before);
       if (!unbounded && !(jump > std::max(share * scale, rounding))) continue;
-      out.push_back({static_cast<Break::Of>(k), law.name, law.unit, s.after, unbounded ? infinite : jump});
+      out.push_back({static_cast<Break::Of>(k), law.name, law.unit, s.time(), unbounded ? infinite : jump});
       break;
     }
   }

@@ -60,7 +60,7 @@ std::optional<Law> from_rate(const Moved& m, Written written, Behaviour behaviou
     b.of = b.of == mechanics::Break::Of::value ? mechanics::Break::Of::rate : mechanics::Break::Of::acceleration;
   if (!bounded(itself, breaks, diagnostics)) return std::nullopt;
   std::vector<double> knots = behaviour.steps;
-  for (const Switch& s : behaviour.switches) knots.insert(knots.end(), {s.before, s.after});
+  for (const Switch& s : behaviour.switches) knots.push_back(s.time());
   std::sort(knots.begin(), knots.end());
   knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
   const auto value = std::make_shared<const Integral>([rate](double t) { return rate->at(t); }, m.home, std::move(knots));

@@ -131,7 +131,7 @@ MotionRequest request_of(const Laws& laws) {
 void take_breaks(const Laws& laws, mechanics::Trajectory& out) {
   for (const Law& law : laws.laws) {
     std::vector<double> knots;
-    for (const Switch& s : law.switches) knots.push_back(s.after);
+    for (const Switch& s : law.switches) knots.push_back(s.time());
     join(out.knots, knots);
     out.breaks.insert(out.breaks.end(), law.breaks.begin(), law.breaks.end());
   }
