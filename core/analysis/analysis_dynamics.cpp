@@ -4,6 +4,7 @@
 #include <core/analysis/samples/motion_probe.hpp>
 #include <core/analysis/samples/sample_forces.hpp>
 #include <core/analysis/samples/smooth_rate.hpp>
+#include <core/analysis/samples/stretch.hpp>
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace pmreport::analysis {
 
@@ -84,23 +86,37 @@ void Analysis::run_dynamics(const Progress& progress) {
 }
 
 // The power of actuators and load against the rate of the energy, which comes from positions and velocities along the motion around a
-// sample: no acceleration and no force enters it. Where the energy is not smooth (the jerk of the motion jumps near by) differences tell
-// nothing, and the sample is left out.
+// sample: no acceleration and no force enters it. Differences never straddle a knot; a sample that lies on one, or close to it, is
+// represented by the middle of the stretch that begins there. Where the energy is not smooth even so, differences tell nothing, and the
+// sample is left out.
 void Analysis::balance_power() {
   constexpr int wanted = 64;
-  constexpr double smooth = 1e-9;  // change of the rate that is called none, relative as the measure is
+  constexpr double smooth = 1e-9;   // change of the rate that is called none, relative as the measure is
+  constexpr double room = 1.0 / 8;  // to either end of a stretch, of its length, that differences need
   std::vector<ColumnId> powers{column_of(OfMachine::load_power)};
   for (const Actuator& a : machine_.topology().actuators) powers.push_back(column_of(a, OfActuator::power));
   const double largest_power = largest(powers);
+  const std::vector<double> knots = knots_along(trajectory_, scenario_.load);
+  const double first = time().front(), last = time().back();
 
   const std::vector<int> chosen = spread(*this, wanted);
   tbb::enumerable_thread_specific<MotionProbe> probes([&] { return MotionProbe(trajectory_, scenario_.load, machine_); });
   tbb::parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t i) {
     const auto k = static_cast<std::size_t>(chosen[i]);
-    const double power = column(column_of(OfMachine::total_power))[k] + column(column_of(OfMachine::load_power))[k];
+    double power = column(column_of(OfMachine::total_power))[k] + column(column_of(OfMachine::load_power))[k];
     if (!std::isfinite(power) || !wrenches(chosen[i]).are_comparable()) return;
     MotionProbe& probe = probes.local();
-    const auto rate = smooth_rate([&](double t) { return probe.go(t) ? probe.energy() : nan; }, time()[k], time().front(), time().back());
+    double t = time()[k];
+    const auto [begin, end] = stretch_at(knots, t, first, last);
+    const double margin = room * (end - begin);
+    if ((begin > first && t - begin < margin) || (end < last && end - t < margin)) {
+      t = 0.5 * (begin + end);
+      if (!probe.go(t)) return;
+      std::vector<double> there;
+      probe.powers(there);
+      power = std::accumulate(there.begin(), there.end(), 0.0);
+    }
+    const auto rate = smooth_rate([&](double x) { return probe.go(x) ? probe.energy() : nan; }, t, begin, end);
     if (!rate) return;
     const double scale = std::max(largest_power, std::abs(rate->value)), deviation = std::abs(power - rate->value);
     if (rate->change <= smooth * scale) residuals_[k][static_cast<std::size_t>(Measure::power_balance)] = relative(deviation, scale);

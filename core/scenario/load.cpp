@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <core/scenario/expression/behaviour.hpp>
 #include <core/scenario/load_part.hpp>
 #include <core/text/text.hpp>
 #include <memory>
@@ -62,12 +63,15 @@ Load sampled(LoadPart part, const std::vector<double>& time, Diagnostics& diagno
   for (std::size_t k = 0; k < 6; ++k) {
     if (!part.components[k]) continue;
     const LoadPart::Component& component = *part.components[k];
+    if (time.size() > 1)
+      for (const Switch& s : behaviour(component.expression, time.front(), time.back()).switches) out.knots.push_back(s.time());
     for (std::size_t i = 0; i < time.size(); ++i) {
       const Jet<double> x = component.expression.at(time[i]);
       if (!finite(Jet<double>(x.value), time[i], component.place, component.key, diagnostics)) break;
       (k < 3 ? out.force : out.moment)[i](static_cast<Eigen::Index>(k % 3)) = x.value;
     }
   }
+  std::sort(out.knots.begin(), out.knots.end());
   return out;
 }
 

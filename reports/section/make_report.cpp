@@ -1,5 +1,6 @@
 #include <reports/section/checks.hpp>
 #include <reports/section/common/limits.hpp>
+#include <reports/section/common/motion_words.hpp>
 #include <reports/section/common/plots.hpp>
 #include <reports/section/common/singular_words.hpp>
 #include <reports/section/common/stage.hpp>
@@ -28,12 +29,14 @@ std::string sha256(const std::string& text) {
   return out;
 }
 
-std::vector<Paragraph> summary(const Analysis& a, const Report& r) {
+std::vector<Paragraph> summary(const Analysis& a, const std::vector<analysis::Unseen>& unseen, const Report& r) {
   std::vector<Paragraph> out;
   const auto warn = [&](const std::string& text) { out.push_back({Paragraph::Tone::warning, text}); };
   for (const std::string& s : reach_sentences(a)) warn(s);
   for (const std::string& s : singularity_sentences(a)) warn(s);
   for (const std::string& s : nearness_sentences(a)) warn(s);
+  for (const std::string& s : jump_sentences(a)) warn(s);
+  for (const std::string& s : unseen_sentences(a, unseen)) warn(s);
   for (const LimitBreach& b : a.breaches()) warn(sentence(a, b));
   for (const std::string& s : limit_sentences(a)) warn(s);
   for (const document::Check& c : r.checks)
@@ -58,6 +61,7 @@ std::vector<Paragraph> summary(const Analysis& a, const Report& r) {
   if (motion.until_singularity && !ending.empty() && a.trajectory().reaches(a.samples() - 1))
     out.push_back({Paragraph::Tone::note, fmt::format("The motion lasts to t = {}, not to the {} asked for, as the scenario allows: it {}.",
                                                       show_time(a, a.samples() - 1), show(motion.end, "s"), ending)});
+  for (const std::string& s : acceleration_sentences(a)) out.push_back({Paragraph::Tone::note, s});
   tell(fmt::format("{} over {}, {} degrees of freedom.", plural(a.samples(), "sample"), show_time(a, a.samples() - 1), a.machine().dof()));
   tell(fmt::format("Motion: {}.", joined(motion.description)));
   tell(fmt::format("Load on the platform: {}.", joined(a.scenario().load.description)));
@@ -133,8 +137,10 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
   }
   for (const Last& l : last) r.sections[l.index] = make(l.asked, l.number);
   r.checks = evaluate_checks(a, r.values);
+  const std::vector<analysis::Unseen> unseen = unseen_between_samples(a);
+  for (document::Check& c : motion_demands(a, unseen)) r.checks.push_back(std::move(c));
   r.checks.insert(r.checks.end(), gates.begin(), gates.end());
-  r.summary = summary(a, r);
+  r.summary = summary(a, unseen, r);
   return r;
 }
 

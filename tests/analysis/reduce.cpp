@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include <core/analysis/study/reduce.hpp>
+#include <tests/analysis/run.hpp>
 
 #include <cmath>
 
@@ -10,14 +11,13 @@ using namespace pmreport;
 namespace {
 
 const double none = std::nan("");
-const std::vector<double> instants{0, 1, 3}, column{-4, none, 3};
+const std::vector<double> column{-4, none, 3};
 
-analysis::Reduced reduced(const std::string& how, bool absolute = false, double at = 0) {
+analysis::Reduced reduced(const std::string& how, bool absolute = false) {
   scenario::Measured m;
   m.reduction = how;
   m.absolute = absolute;
-  m.time = at;
-  return analysis::reduce(instants, column, m);
+  return analysis::reduce(column, m);
 }
 
 }  // namespace
@@ -32,12 +32,28 @@ TEST_CASE("a sample without a value counts for nothing in a smallest, a largest 
   CHECK(reduced("rms").sample == -1);
 }
 
-TEST_CASE("the value at a time lies on the line between its neighbours, and is none where one has none") {
-  scenario::Measured m;
-  m.reduction = "at";
-  m.time = 2.5;
-  CHECK(analysis::reduce(instants, {0, 2, 6}, m).value == Approx(5));
-  CHECK(std::isnan(reduced("at", false, 0.5).value));
-  CHECK(reduced("at", false, 3).value == 3);
-  CHECK(std::isnan(analysis::reduce(instants, {none, none, none}, {}).value));
+TEST_CASE("a column without a value has none to reduce") { CHECK(std::isnan(analysis::reduce({none, none, none}, {}).value)); }
+
+TEST_CASE("at a time between two samples a column has the value that the motion has there, not one on a line") {
+  // 20 mm sin(pi t / s), samples every 0.5 s: on the line between them x would be 10 mm at 0.25 s.
+  const trial::Run r(
+      "title = \"Stage\"\n[mechanism]\nuse = \"stage\"\n[[section]]\nkind = \"velocity\"\n[[section]]\nkind = "
+      "\"displacement\"\n[motion]\nduration = \"2 s\"\nsamples = 5\nx = \"20 mm * sin(pi*t/1 s)\"\n");
+  const auto at = [&](const std::vector<std::string>& columns, double t, bool absolute = false) {
+    scenario::Measured m;
+    m.reduction = "at";
+    m.columns = columns;
+    m.time = t;
+    m.absolute = absolute;
+    return analysis::measure(r.analysis, m);
+  };
+  constexpr double pi = 3.14159265358979323846;
+  CHECK(at({"x"}, 0.25).value == Approx(0.02 * std::sin(0.25 * pi)));
+  CHECK(at({"x"}, 0.5).value == Approx(0.02));
+  CHECK(at({"x_rate"}, 1.25).value == Approx(0.02 * pi * std::cos(1.25 * pi)));
+  CHECK(at({"x"}, 1.25, true).value == Approx(0.02 * std::sin(0.25 * pi)));
+  const analysis::Number largest = at({"x", "q"}, 0.25);
+  CHECK(largest.value == Approx(0.02 * std::sin(0.25 * pi)));
+  CHECK(largest.sample == -1);
+  CHECK(std::isnan(at({"nothing"}, 0.25).value));
 }

@@ -6,8 +6,8 @@
 namespace pmreport::analysis {
 
 std::optional<SmoothRate> smooth_rate(const std::function<double(double)>& f, double t, double begin, double end) {
-  constexpr double widest = 1.0 / 64;  // step, of the whole interval
-  constexpr int halvings = 7;
+  constexpr double widest = 1.0 / 16;  // step, of the whole interval
+  constexpr int halvings = 9;
   constexpr double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};  // of f(t + n h) - f(t - n h), over h
   double step = std::min({widest * (end - begin), (t - begin) / 4, (end - t) / 4});
   if (!(step > 0)) return std::nullopt;

@@ -12,6 +12,7 @@ struct SmoothRate {
 };
 // Of f at t, by eighth-order central differences within [begin, end]. Of steps halved again and again the one counts whose result changes
 // least by halving. Where even that change is large, f is not smooth around t. Nothing at the ends, or where f is NaN around t.
+// Where f is known not to be smooth, [begin, end] ends there.
 std::optional<SmoothRate> smooth_rate(const std::function<double(double)>& f, double t, double begin, double end);
 
 }  // namespace pmreport::analysis

@@ -2,6 +2,7 @@
 
 #include <core/analysis/samples/motion_probe.hpp>
 #include <core/analysis/samples/smooth_rate.hpp>
+#include <core/analysis/samples/stretch.hpp>
 #include <core/mechanics/dynamics/drive.hpp>
 
 #include <algorithm>
@@ -30,6 +31,7 @@ DriveBalance drive_balance(const Analysis& a) {
   double gained = 0, power = 0, left_over = nan, smooth_scale = 0;
   bool divides = false;
   MotionProbe probe(a.trajectory(), a.scenario().load, a.machine());
+  const std::vector<double> knots = knots_along(a.trajectory(), a.scenario().load);
   for (std::size_t i = 0; i < actuators.size(); ++i) {
     const Actuator& actuator = actuators[i];
     const DriveTrain& drive = a.scenario().drives.at(i);
@@ -52,7 +54,8 @@ DriveBalance drive_balance(const Analysis& a) {
       const auto k = static_cast<std::size_t>((n + 0.5) * a.samples() / std::min(wanted, a.samples()));
       const double rest = motor[k] - in[k];
       if (!std::isfinite(rest)) continue;
-      const auto rate = smooth_rate(rotor_energy, a.time()[k], a.time().front(), a.time().back());
+      const auto [begin, end] = stretch_at(knots, a.time()[k], a.time().front(), a.time().back());
+      const auto rate = smooth_rate(rotor_energy, a.time()[k], begin, end);
       if (rate && rate->change <= 1e-9 * smooth_scale) left_over = std::fmax(left_over, std::abs(rest - rate->value));
     }
   }

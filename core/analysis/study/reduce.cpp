@@ -1,34 +1,18 @@
 #include <core/analysis/study/reduce.hpp>
 
+#include <core/analysis/study/instant.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace pmreport::analysis {
 
-namespace {
-
-// Linear between the two samples around a time.
-template <class Value>
-double interpolated(const std::vector<double>& t, double time, Value&& value) {
-  const auto after = std::upper_bound(t.begin(), t.end(), time);
-  const int right = std::clamp(static_cast<int>(after - t.begin()), 1, static_cast<int>(t.size()) - 1), left = right - 1;
-  const double share =
-      (time - t[static_cast<std::size_t>(left)]) / (t[static_cast<std::size_t>(right)] - t[static_cast<std::size_t>(left)]);
-  return share <= 0 ? value(left) : share >= 1 ? value(right) : value(left) * (1 - share) + value(right) * share;
-}
-
-}  // namespace
-
-Reduced reduce(const std::vector<double>& time, const std::vector<double>& column, const scenario::Measured& how) {
-  const auto value = [&](int k) {
-    const double x = column[static_cast<std::size_t>(k)];
-    return how.absolute ? std::abs(x) : x;
-  };
-  if (how.reduction == "at") return {interpolated(time, how.time, value), -1};
+Reduced reduce(const std::vector<double>& column, const scenario::Measured& how) {
   if (how.reduction == "rms") return {rms(column), -1};
   Reduced f;
   for (int k = 0; k < static_cast<int>(column.size()); ++k) {
-    const double x = value(k);
+    const double stands = column[static_cast<std::size_t>(k)], x = how.absolute ? std::abs(stands) : stands;
     if (!std::isfinite(x)) continue;
     if (f.sample < 0 || (how.reduction == "max" ? x > f.value : x < f.value)) f = {x, k};
   }
@@ -37,10 +21,17 @@ Reduced reduce(const std::vector<double>& time, const std::vector<double>& colum
 
 Number measure(const Analysis& a, const scenario::Measured& m, bool largest) {
   Number out;
+  const auto sample = std::find(a.time().begin(), a.time().end(), m.time);
+  std::optional<Instant> instant;
+  if (m.reduction == "at" && sample == a.time().end()) instant.emplace(a, m.time);
+  const auto at = [&](const ColumnId& column) {
+    const double x = instant ? instant->value(column) : a.column(column)[static_cast<std::size_t>(sample - a.time().begin())];
+    return Reduced{m.absolute ? std::abs(x) : x, -1};
+  };
   for (const std::string& name : m.columns) {
     const ColumnId column = ColumnId::named(name);
     if (!a.has(column)) return {};
-    const Reduced f = reduce(a.time(), a.column(column), m);
+    const Reduced f = m.reduction == "at" ? at(column) : reduce(a.column(column), m);
     if (!std::isfinite(f.value)) return {};
     if (out.column.empty() || (largest ? f.value > out.value : f.value < out.value)) out = {f.value, f.sample, name};
   }

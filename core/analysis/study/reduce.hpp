@@ -14,9 +14,9 @@ struct Reduced {
   double value = std::numeric_limits<double>::quiet_NaN();  // SI
   int sample = -1;                                          // where; -1: not at a single sample
 };
-// By the measure's reduction ("min", "max", "rms", "at": linear between the two samples around its time), of magnitudes where it says so.
-// NaN when the column has no value to reduce.
-Reduced reduce(const std::vector<double>& time, const std::vector<double>& column, const scenario::Measured& how);
+// By the measure's reduction over the samples ("min", "max", "rms"), of magnitudes where it says so. NaN when the column has no value to
+// reduce.
+Reduced reduce(const std::vector<double>& column, const scenario::Measured& how);
 
 // One number of the report, and where it was found.
 struct Number {
@@ -24,8 +24,8 @@ struct Number {
   int sample = -1;     // -1: not at a single sample
   std::string column;  // of a group, the one that counts
 };
-// Of the columns of `m`. `largest`: of a group the largest column counts, else the smallest. NaN when one of them is missing or has no
-// value.
+// Of the columns of `m`; "at" a time between two samples is a sample of its own (instant.hpp). `largest`: of a group the largest column
+// counts, else the smallest. NaN when one of them is missing or has no value.
 Number measure(const Analysis& a, const scenario::Measured& m, bool largest = true);
 
 // The sample with the largest magnitude in a column; value 0 and sample -1 where there is none.

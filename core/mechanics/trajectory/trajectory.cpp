@@ -6,6 +6,9 @@ void cut_off(Trajectory& trajectory, std::size_t samples) {
   trajectory.time.resize(samples);
   for (Eigen::MatrixXd* part : {&trajectory.value, &trajectory.rate, &trajectory.acceleration})
     part->conservativeResize(static_cast<Eigen::Index>(samples), Eigen::NoChange);
+  const double end = trajectory.time.empty() ? 0 : trajectory.time.back();
+  std::erase_if(trajectory.knots, [&](double t) { return t >= end; });
+  std::erase_if(trajectory.breaks, [&](const Break& b) { return b.time >= end; });
 }
 
 Trajectory sampled(Path path, std::vector<double> times, int dof) {

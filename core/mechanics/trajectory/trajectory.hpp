@@ -11,10 +11,21 @@ namespace pmreport::mechanics {
 // Coordinates, or actuators, at a time [s], with their rates and accelerations, each dof long, SI. False where there are none.
 using Path = std::function<bool(double t, double* value, double* rate, double* acceleration)>;
 
+// A prescribed motion that is not smooth: the lowest of its derivatives that jumps at a time.
+struct Break {
+  enum class Of { value, rate, acceleration } of = Of::value;
+  std::string what, unit;  // the coordinate or actuator that is prescribed, "x", and its own unit, SI
+  double time = 0;         // [s]
+  double jump = 0;         // its size, SI
+};
+
 struct Trajectory {
   std::vector<double> time;                   // [s], rising; empty: there is no motion
   Eigen::MatrixXd value, rate, acceleration;  // one row a sample, one column an independent coordinate, SI; NaN: no pose
   Path at;  // the same at any time from the first sample to the last; safe in threads. The machine that it was solved for must live
+  // Of a prescribed motion, inside it, rising: times at which a derivative may jump, however high, and the breaks among them.
+  std::vector<double> knots;
+  std::vector<Break> breaks;
   std::string ending;  // why it ends before it should: "meets a singular surface at t = 3.314 s: ..."; empty: it does not
   // Of a motion under given forces.
   double work = 0;                // of actuators and load, to the last sample with a pose [J]
@@ -25,7 +36,7 @@ struct Trajectory {
   bool reaches(int sample) const { return value.row(sample).allFinite(); }  // it has a pose there; whether it can be assembled, is another
 };
 
-// Keeps the first samples.
+// Keeps the first samples, and of knots and breaks those before the last of them.
 void cut_off(Trajectory& trajectory, std::size_t samples);
 
 // A path known beforehand, at these times. What is not finite stays so: the caller judges.

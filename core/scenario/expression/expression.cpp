@@ -85,15 +85,20 @@ J apply(const Term& term, const J& a, const J& b, const J& c, double t) {
 
 }  // namespace
 
-Jet<double> Expression::at(double t, std::span<const Jet<double>> variables) const {
-  std::vector<J> values(terms_.size());
-  const auto value = [&](int i) { return i < 0 ? J() : values[static_cast<std::size_t>(i)]; };
+void Expression::evaluate(double t, std::span<const Jet<double>> variables, std::vector<Jet<double>>& terms) const {
+  terms.resize(terms_.size());
+  const auto value = [&](int i) { return i < 0 ? J() : terms[static_cast<std::size_t>(i)]; };
   for (std::size_t i = 0; i < terms_.size(); ++i) {
     const Term& term = terms_[i];
-    values[i] = term.operation == Operation::variable ? variables[static_cast<std::size_t>(term.a)]
-                                                      : apply(term, value(term.a), value(term.b), value(term.c), t);
+    terms[i] = term.operation == Operation::variable ? variables[static_cast<std::size_t>(term.a)]
+                                                     : apply(term, value(term.a), value(term.b), value(term.c), t);
   }
-  return values.back();
+}
+
+Jet<double> Expression::at(double t, std::span<const Jet<double>> variables) const {
+  std::vector<J> terms;
+  evaluate(t, variables, terms);
+  return terms.back();
 }
 
 }  // namespace pmreport::scenario

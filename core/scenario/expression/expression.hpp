@@ -81,6 +81,10 @@ class Expression {
   // SI; not finite where the expression has no value, or no derivative. `variables`: one for each that it was parsed with, SI.
   Jet<double> at(double t, std::span<const Jet<double>> variables = {}) const;
 
+  // What it is made of, operands first; the last term is the whole. And all of them at a time.
+  std::span<const Term> terms() const { return terms_; }
+  void evaluate(double t, std::span<const Jet<double>> variables, std::vector<Jet<double>>& terms) const;
+
  private:
   friend class ExpressionParser;
   std::vector<Term> terms_;

@@ -15,21 +15,74 @@ Law at_home(const Moved& m) {
   const double home = m.home;
   const DisplayUnit unit = display_unit(m.unit, home);
   return {m.name,
+          m.unit,
           {},
           [home](double) { return Jet<double>(home); },
           fmt::format("{} = {}{}{} (home)", m.name, format_number(home * unit.per_si, 6), unit.label == "°" ? "" : " ", unit.label)};
 }
 
-// From a rate: the value is its integral from home, the acceleration its exact derivative.
-Law from_rate(const Moved& m, Written written, const std::vector<double>& times) {
+// How the expression of one of them behaves; nothing, told, where it wavers beyond all looking.
+std::optional<Behaviour> behaviour_of(const Written& written, const std::string& name, double duration, Diagnostics& diagnostics) {
+  Behaviour out = behaviour(written.expression, 0, duration);
+  if (out.complete) return out;
+  diagnostics.add(written.place,
+                  fmt::format("{} wavers about a million times over {} s, or without end: more than can be looked at", name,
+                              format_number(duration, 6)),
+                  "look at a shorter motion, or at a slower one");
+  return std::nullopt;
+}
+
+// Nothing, told, where it has no finite value or derivative.
+std::optional<Law> from_value(const Moved& m, Written written, Behaviour behaviour, Diagnostics& diagnostics) {
+  const std::string description = fmt::format("{} = {}", m.name, printable(written.text));
+  Law out{m.name,
+          m.unit,
+          written.place,
+          [expression = std::move(written.expression)](double t) { return expression.at(t); },
+          description,
+          std::move(behaviour.steps),
+          std::move(behaviour.switches),
+          {}};
+  out.breaks = breaks_of(out);
+  if (!bounded(out, out.breaks, diagnostics)) return std::nullopt;
+  return out;
+}
+
+// From a rate: the value is its integral from home, the acceleration its exact derivative. Between its steps the rate is a matter of a few
+// points, and at its switches the integral begins anew. Nothing, told, when it is not good all the same.
+std::optional<Law> from_rate(const Moved& m, Written written, Behaviour behaviour, Diagnostics& diagnostics) {
+  constexpr double good = 1e-9;  // of the way there and back
   const auto rate = std::make_shared<const Expression>(std::move(written.expression));
-  const auto value = std::make_shared<const Integral>([rate](double t) { return rate->at(t).value; }, m.home, times);
-  return {m.name, written.place,
-          [rate, value](double t) {
-            const Jet<double> v = rate->at(t);
-            return Jet<double>(value->at(t), v.value, v.rate);
-          },
-          fmt::format("{}{} = {}", m.name, rate_suffix, printable(written.text))};
+  const Law itself{m.name, m.unit, written.place, [rate](double t) { return rate->at(t); }, "", behaviour.steps, behaviour.switches, {}};
+  std::vector<mechanics::Break> breaks = breaks_of(itself);
+  std::erase_if(breaks, [](const mechanics::Break& b) { return b.of == mechanics::Break::Of::acceleration; });
+  for (mechanics::Break& b : breaks)  // of what is integrated they are one derivative higher
+    b.of = b.of == mechanics::Break::Of::value ? mechanics::Break::Of::rate : mechanics::Break::Of::acceleration;
+  if (!bounded(itself, breaks, diagnostics)) return std::nullopt;
+  std::vector<double> knots = behaviour.steps;
+  for (const Switch& s : behaviour.switches) knots.push_back(s.time());
+  std::sort(knots.begin(), knots.end());
+  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+  const auto value = std::make_shared<const Integral>([rate](double t) { return rate->at(t); }, m.home, std::move(knots));
+  if (value->error() > good * value->magnitude()) {
+    const DisplayUnit unit = display_unit(m.unit, value->error());
+    diagnostics.add(written.place,
+                    fmt::format("the integral of {}{} is good to {} {} alone: it jumps or grows where nobody can tell", m.name, rate_suffix,
+                                format_number(value->error() * unit.per_si, 3), unit.label),
+                    fmt::format("give {} itself", m.name));
+    return std::nullopt;
+  }
+  return Law{m.name,
+             m.unit,
+             written.place,
+             [rate, value](double t) {
+               const Jet<double> v = rate->at(t);
+               return Jet<double>(value->at(t), v.value, v.rate);
+             },
+             fmt::format("{}{} = {}", m.name, rate_suffix, printable(written.text)),
+             std::move(behaviour.steps),
+             std::move(behaviour.switches),
+             std::move(breaks)};
 }
 
 const Entry* entry_of(const Value& table, const std::string& key) {
@@ -69,8 +122,7 @@ std::optional<Prescribed> prescribed(const std::vector<Named>& names, const Mova
   return Prescribed{by_actuators, by_actuators ? &movables.actuators : &movables.coordinates};
 }
 
-std::optional<Laws> read_expressions(const Value& motion, const Movables& movables, const std::vector<double>& times,
-                                     const Reader& reader) {
+std::optional<Laws> read_expressions(const Value& motion, const Movables& movables, std::optional<double> duration, const Reader& reader) {
   Diagnostics& diagnostics = reader.diagnostics();
   std::vector<Named> names;
   for (const Entry& e : motion.entries) names.push_back({e.key, e.place});
@@ -92,19 +144,22 @@ std::optional<Laws> read_expressions(const Value& motion, const Movables& movabl
       auto by_value = value != nullptr ? reader.expression(value->value, dimension, Time::allowed) : std::nullopt;
       auto by_rate = rate != nullptr ? reader.expression(rate->value, dimension / Dimension{0, 0, 1, 0}, Time::allowed) : std::nullopt;
       sound = sound && (value == nullptr || by_value) && (rate == nullptr || by_rate);
-      if (!meant) continue;
-      if (by_value) {
-        const std::string description = fmt::format("{} = {}", m.name, printable(by_value->text));
-        out.laws.push_back(
-            {m.name, by_value->place, [expression = std::move(by_value->expression)](double t) { return expression.at(t); }, description});
-      } else if (by_rate) {
-        out.laws.push_back(from_rate(m, std::move(*by_rate), times));
-      } else {
+      if (!meant || !duration) continue;
+      if (!by_value && !by_rate) {
         out.laws.push_back(at_home(m));
+        continue;
       }
+      Written written = std::move(by_value ? *by_value : *by_rate);
+      auto behaviour = behaviour_of(written, by_value ? m.name : m.name + std::string(rate_suffix), *duration, diagnostics);
+      std::optional<Law> law;
+      if (behaviour)
+        law = by_value ? from_value(m, std::move(written), std::move(*behaviour), diagnostics)
+                       : from_rate(m, std::move(written), std::move(*behaviour), diagnostics);
+      sound = sound && law;
+      if (law) out.laws.push_back(std::move(*law));
     }
   }
-  if (!sound) return std::nullopt;
+  if (!sound || !duration) return std::nullopt;
   out.by_actuators = kind->by_actuators;
   return out;
 }

@@ -5,6 +5,7 @@
 #include <core/scenario/motion/motion_part.hpp>
 #include <core/scenario/motion/solve.hpp>
 #include <core/text/text.hpp>
+#include <iterator>
 
 namespace pmreport::scenario {
 namespace {
@@ -54,7 +55,7 @@ std::string names_of(const std::vector<Moved>& list) {
   return listed(names, "and");
 }
 
-constexpr const char *of_forces[] = {"start", "start_rate", "forces"}, *of_points[] = {"profile", "waypoint", "file"};
+constexpr const char *of_forces[] = {"start", "start_rate", "forces"}, *of_points[] = {"profile", "waypoint", "file", "unwrap"};
 
 // Keys that are none of a motion that follows from forces; coordinates and actuators are told by read_forces.
 void refuse_unknown_of_forces(const Value& content, const Movables& movables, Diagnostics& diagnostics) {
@@ -74,7 +75,7 @@ void refuse_unknown_of_forces(const Value& content, const Movables& movables, Di
 
 // Keys that are none: coordinates that cannot be given are told apart from slips.
 void refuse_unknown(const Value& content, const MechanismPart& mechanism, const Movables& movables, Diagnostics& diagnostics) {
-  std::vector<std::string> known{"duration", "samples", "until", "profile", "waypoint", "file", "from"};
+  std::vector<std::string> known{"duration", "samples", "until", "profile", "waypoint", "file", "unwrap", "from"};
   const std::string keys =
       fmt::format("the keys are {}; and the coordinates {}, or the actuators {}, each also by its rate, {}_rate", listed(known, "and"),
                   names_of(movables.coordinates), names_of(movables.actuators), movables.coordinates.front().name);
@@ -104,6 +105,13 @@ std::optional<double> read_duration(const Entry* entry, const Reader& reader) {
   return std::nullopt;
 }
 
+// Rising times that another law has too.
+void join(std::vector<double>& times, const std::vector<double>& more) {
+  std::vector<double> both;
+  std::set_union(times.begin(), times.end(), more.begin(), more.end(), std::back_inserter(both));
+  times = std::move(both);
+}
+
 MotionRequest request_of(const Laws& laws) {
   MotionRequest out;
   out.by = laws.by_actuators ? MotionRequest::By::actuators : MotionRequest::By::coordinates;
@@ -115,7 +123,20 @@ MotionRequest request_of(const Laws& laws) {
     }
     return true;
   };
+  for (const Law& law : laws.laws) join(out.steps, law.steps);
   return out;
+}
+
+// Knots and breaks of all laws.
+void take_breaks(const Laws& laws, mechanics::Trajectory& out) {
+  for (const Law& law : laws.laws) {
+    std::vector<double> knots;
+    for (const Switch& s : law.switches) knots.push_back(s.time());
+    join(out.knots, knots);
+    out.breaks.insert(out.breaks.end(), law.breaks.begin(), law.breaks.end());
+  }
+  std::stable_sort(out.breaks.begin(), out.breaks.end(),
+                   [](const mechanics::Break& x, const mechanics::Break& y) { return x.time < y.time; });
 }
 
 void take(MotionRequest request, mechanics::Trajectory solved, MotionPart& part) {
@@ -172,7 +193,7 @@ MotionPart read_motion(const Entry* entry, bool needed, const MechanismPart& mec
     return read_motion_from_forces(*content, entry->place, mechanism, load, reader);
   }
   const Entry *file = table.find("file"), *waypoints = table.find("waypoint"), *profile = table.find("profile"),
-              *duration_entry = table.find("duration"), *until = table.find("until");
+              *duration_entry = table.find("duration"), *until = table.find("until"), *unwrap = table.find("unwrap");
   const Entry* samples_entry = file != nullptr ? table.find("samples") : table.need("samples", "samples = 501");
   const std::size_t samples = samples_entry != nullptr ? read_samples(samples_entry->value, reader) : 0;
   const auto duration = read_duration(duration_entry, reader);
@@ -188,6 +209,8 @@ MotionPart read_motion(const Entry* entry, bool needed, const MechanismPart& mec
   } else if (waypoints != nullptr && file == nullptr) {
     table.need("profile", "profile = \"quintic\" (at rest at every waypoint) or \"cubic-spline\" (at rest at the ends)");
   }
+  if (unwrap != nullptr && !by_points)
+    diagnostics.add(unwrap->place, "the angles of points are unwrapped, and there are no points", "remove unwrap");
   if (file != nullptr && waypoints != nullptr)
     diagnostics.add(file->place, "the motion is given twice: by a file and by waypoints", "keep one of the two");
   if (file != nullptr && duration_entry != nullptr)
@@ -205,8 +228,8 @@ MotionPart read_motion(const Entry* entry, bool needed, const MechanismPart& mec
   std::vector<double> time;
   if (by_points) {
     refuse_expressions(*content, movables, file != nullptr ? "file" : "waypoints", diagnostics);
-    laws = file != nullptr ? read_motion_file(*file, quintic, movables, scenario, reader)
-                           : read_waypoints(*waypoints, quintic, movables, reader);
+    laws = file != nullptr ? read_motion_file(*file, {quintic, unwrap}, movables, scenario, reader)
+                           : read_waypoints(*waypoints, {quintic, unwrap}, movables, reader);
     if (!laws) return part;
     part.span = {laws->times.front(), laws->times.back()};
     if (duration && file == nullptr && *duration > part.span->end)
@@ -219,7 +242,7 @@ MotionPart read_motion(const Entry* entry, bool needed, const MechanismPart& mec
   } else {
     if (duration) part.span = {0, *duration};
     if (duration && samples > 0) time = uniform(*part.span, samples);
-    laws = read_expressions(*content, movables, time.empty() ? std::vector{0.0} : time, reader);
+    laws = read_expressions(*content, movables, duration, reader);
   }
   if (!laws || time.empty()) return part;
   MotionRequest request = request_of(*laws);
@@ -231,7 +254,10 @@ MotionPart read_motion(const Entry* entry, bool needed, const MechanismPart& mec
     solved = followed(request, *solved, *mechanism.machine, place_of(*laws, entry->place), diagnostics);
   else if (until != nullptr)
     solved = end_at_singularity(std::move(*solved), *mechanism.machine, until->place, diagnostics);
-  if (solved) take(std::move(request), std::move(*solved), part);
+  if (!solved) return part;
+  take_breaks(*laws, *solved);
+  mechanics::cut_off(*solved, solved->time.size());
+  take(std::move(request), std::move(*solved), part);
   return part;
 }
 

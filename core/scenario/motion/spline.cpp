@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <core/scenario/motion/spline.hpp>
 
 namespace pmreport::scenario {
@@ -86,6 +87,26 @@ Jet<double> CubicSpline::at(double t) const {
   const double slope = (values_[i + 1] - values_[i]) / h - h * (2 * bends_[i] + bends_[i + 1]) / 6;
   const double jerk = (bends_[i + 1] - bends_[i]) / h;
   return {values_[i] + s * (slope + s * (bends_[i] / 2 + s * jerk / 6)), slope + s * (bends_[i] + s * jerk / 2), bends_[i] + s * jerk};
+}
+
+// The rate of a piece, a + b s + c s^2, vanishes where it turns. The roots by the form that loses no digits where b^2 dwarfs a c.
+CubicSpline::Overshoot CubicSpline::overshoot() const {
+  Overshoot out;
+  for (std::size_t i = 0; i + 1 < times_.size(); ++i) {
+    const double h = times_[i + 1] - times_[i];
+    const Jet<double> start = at(times_[i]);
+    const double a = start.rate, b = bends_[i], c = (bends_[i + 1] - bends_[i]) / h / 2;
+    const double under = b * b - 4 * a * c;
+    if (!(under >= 0)) continue;
+    const double q = -0.5 * (b + std::copysign(std::sqrt(under), b));
+    for (const double s : {q / c, a / q}) {
+      if (!(s > 0 && s < h)) continue;
+      const double y = at(times_[i] + s).value;
+      const double beyond = std::max(y - std::max(values_[i], values_[i + 1]), std::min(values_[i], values_[i + 1]) - y);
+      if (beyond > out.beyond) out = {beyond, times_[i] + s};
+    }
+  }
+  return out;
 }
 
 // y = y0 + (y1 - y0) (10 u^3 - 15 u^4 + 6 u^5), u = (t - t0) / h: the lowest polynomial with zero rate and acceleration at both ends.

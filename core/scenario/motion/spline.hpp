@@ -17,6 +17,12 @@ class CubicSpline {
   CubicSpline(std::vector<double> times, std::vector<double> values, Ends ends);
   Jet<double> at(double t) const;  // beyond the ends the outer piece goes on
 
+  // How far it goes at most beyond both points of a piece, and when; nothing where it goes from point to point without a detour.
+  struct Overshoot {
+    double beyond = 0, time = 0;
+  };
+  Overshoot overshoot() const;
+
  private:
   std::vector<double> times_, values_;
   std::vector<double> bends_;  // second derivative at each point

@@ -46,6 +46,31 @@ TEST_CASE("a kink costs an integral no accuracy worth naming") {
   CHECK_FALSE(std::isfinite(Integral([](double t) { return std::log(t - 2); }, 0, {0, 1}).at(1)));
 }
 
+TEST_CASE("an integral knows what it leaves open") {
+  CHECK(Integral([](double t) { return 3 * t * t; }, 5, {0, 0.5, 3}).error() == 0);
+  const Integral jump([](double t) { return t < 0.3 ? 0.0 : 1.0; }, 0, {0, 1});
+  CHECK(jump.at(1) == Approx(0.7));
+  CHECK(jump.error() > 0);     // a jump is never enclosed
+  CHECK(jump.error() < 1e-8);  // but to a billionth of the panel
+  CHECK(jump.magnitude() == Approx(0.7));
+}
+
+TEST_CASE("a rate that wavers twelve thousand times is integrated to its end, and between") {
+  // sin^2 w t = (1 - cos 2 w t) / 2, w = 2 pi 20 / s
+  const Loaded l = loaded(moving("duration = \"600 s\"\nsamples = 121\nx_rate = \"0.5 mm/s * (sin(2*pi*20*t/1 s))^2\"\n", ""));
+  const double w = 2 * pi * 20;
+  const auto place = [&](double t) { return 0.5e-3 * (t / 2 - std::sin(2 * w * t) / (4 * w)); };
+  CHECK(l.trajectory.value(120, 0) == Approx(0.15).epsilon(1e-12));
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> times(0, 600);
+  for (int i = 0; i < 50; ++i) {
+    const double t = times(generator);
+    double q[2], rate[2], acceleration[2];
+    REQUIRE(l.trajectory.at(t, q, rate, acceleration));
+    CHECK(q[0] == Approx(place(t)).epsilon(1e-12));  // of a phase of 75,000 radians eleven digits of rounding are left
+  }
+}
+
 TEST_CASE("a rate is integrated from home, and its derivative is exact") {
   const Loaded l = loaded(moving("duration = \"2 s\"\nsamples = 9\nx_rate = \"3 mm/s^3 * t^2\"\n", ""));
   const mechanics::Trajectory& m = l.trajectory;

@@ -83,6 +83,22 @@ TEST_CASE("a cubic-spline profile starts and ends at rest and passes its waypoin
   CHECK(m.rate(1, 1) == Approx(1.5 * (h1 * d0 + h0 * d1) / (h0 + h1)));
 }
 
+TEST_CASE("a spline says how it ends and how far it goes beyond its points") {
+  // At rest at 0, 1 s and 2 s: flat, then up by 10 mm. The rate at the middle point is 3/4 of the slope after it, so the first piece,
+  // r (t^3 - t^2), dips by 4/27 r at 2/3 s.
+  const Motion m =
+      motion_of(moving("profile = \"cubic-spline\"\nsamples = 5\n[[motion.waypoint]]\ntime = \"0 s\"\n[[motion.waypoint]]\ntime = \"1 "
+                       "s\"\n[[motion.waypoint]]\ntime = \"2 s\"\nx = \"10 mm\"\n"));
+  CHECK(m.description ==
+        "x: cubic spline through 3 waypoints, at rest at both ends, up to 1.11 mm beyond its points (at 0.6667 s)\nphi: constant");
+  const Folder folder;
+  folder.write("motion.csv", "t [s], x [mm], phi [deg]\n0,0,0\n1,10,1\n2,20,2\n4,40,4\n");
+  const Motion file = motion_of(moving("file = \"motion.csv\"\n"), folder.path() / "a.toml");
+  CHECK(file.description ==
+        "x: cubic spline through 4 rows of motion.csv, its outer two pieces one cubic at either end\n"
+        "phi: cubic spline through 4 rows of motion.csv, its outer two pieces one cubic at either end");
+}
+
 TEST_CASE("a duration before the last waypoint cuts the motion short") {
   const Motion m = motion_of(moving("profile = \"quintic\"\nduration = \"2 s\"\nsamples = 3" + std::string(points)));
   CHECK(m.time.back() == 2);

@@ -107,3 +107,23 @@ TEST_CASE("quintic steps rest at every point") {
     CHECK(std::abs(curve.at(t).acceleration) < 1e-12);
   }
 }
+
+TEST_CASE("a spline knows how far it goes beyond its points") {
+  // Against the largest of many points on the curve.
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const Points p = random_points(seed, 12);
+    const CubicSpline curve(p.times, p.values, Ends::at_rest);
+    double beyond = 0, when = 0;
+    for (std::size_t i = 0; i + 1 < p.times.size(); ++i)
+      for (int k = 0; k <= 2000; ++k) {
+        const double t = p.times[i] + (p.times[i + 1] - p.times[i]) * k / 2000, y = curve.at(t).value;
+        const auto [low, high] = std::minmax(p.values[i], p.values[i + 1]);
+        if (const double x = std::max(y - high, low - y); x > beyond) beyond = x, when = t;
+      }
+    const CubicSpline::Overshoot o = curve.overshoot();
+    CAPTURE(seed);
+    CHECK(o.beyond == Approx(beyond).epsilon(1e-5));  // 2000 points a piece
+    CHECK(o.time == Approx(when).margin(2e-3));
+  }
+  CHECK(CubicSpline({0, 1, 2, 3}, {0, 1, 2, 3}, Ends::not_a_knot).overshoot().beyond == 0);
+}

@@ -7,6 +7,7 @@
 #include <reports/section/drives/drives.hpp>
 #include <reports/section/dynamics/dynamics.hpp>
 #include <reports/section/dynamics/dynamics_words.hpp>
+#include <reports/section/dynamics/energy.hpp>
 #include <reports/section/kinds.hpp>
 #include <tests/scenario/only.hpp>
 #include <tests/scenario/trial.hpp>
@@ -207,6 +208,74 @@ TEST_CASE("a motion whose jerk jumps still has its work to rounding, and its pow
   const section::Worst w = r.analysis.worst(section::Measure::power_balance);
   CHECK(w.compared > 50);
   CHECK(w.value < 1e-8);
+}
+
+TEST_CASE("a recording that rounds its positions keeps its energy, and its power is compared beside its knots") {
+  const trial::Folder folder;
+  std::string table = "t [s],z [mm]\n";
+  for (int i = 0; i <= 100; ++i) table += fmt::format("{:.3f},{:.2f}\n", 0.01 * i, 20 * std::sin(0.04 * i));
+  folder.write("motion.csv", table);
+  const std::string text =
+      "title = \"Lift\"\n[mechanism]\nuse = \"lift\"\n[motion]\nfile = \"motion.csv\"\n[load]\ngravity = [\"0 m/s^2\", \"0 m/s^2\", "
+      "\"-9.81 m/s^2\"]\n[[section]]\nkind = \"dynamics\"\n";
+  for (const std::string samples : {"", "samples = 38\n"}) {
+    CAPTURE(samples);
+    std::string own = text;
+    own.insert(own.find("[load]"), samples);
+    const scenario::Loaded loaded = scenario::load_text(own, folder.path() / "a.toml", lift(), section::kinds());
+    const section::Analysis a(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {});
+    const auto work = analysis::motion_work(a);
+    REQUIRE(work);
+    // From one end to the other by the masses alone: 5 kg by the height, and their speeds.
+    const auto& t = loaded.trajectory;
+    const auto last = t.value.rows() - 1;
+    const double stored =
+        5 * 9.81 * (t.value(last, 0) - t.value(0, 0)) + 2.5 * (t.rate(last, 0) * t.rate(last, 0) - t.rate(0, 0) * t.rate(0, 0));
+    CHECK(std::abs(work->work() - stored) < work->uncertainty);
+    CHECK(work->uncertainty < 1e-11 * work->flow);  // a cubic is integrated exactly between its knots
+    const section::Result result = section::dynamics_section(a, request());
+    CHECK(proved(result.section));
+    CHECK(a.worst(section::Measure::power_balance).compared > 20);
+  }
+}
+
+TEST_CASE("work that is not known well enough decides nothing, and says so") {
+  const Run r(circuit(dynamics));
+  auto work = analysis::motion_work(r.analysis);
+  REQUIRE(work);
+  const section::EnergyEvidence sound = section::energy_evidence(r.analysis, work);
+  CHECK(sound.notes.empty());
+  REQUIRE(sound.lines.size() == 2);
+  for (const document::Evidence& e : sound.lines) CHECK(e.passed());
+  auto off = work;
+  off->stored += 1e-6 * work->flow;  // what a millionth of the mass does
+  CHECK_FALSE(section::energy_evidence(r.analysis, off).lines[0].passed());
+  work->uncertainty = 0.01 * work->flow;
+  const section::EnergyEvidence vague = section::energy_evidence(r.analysis, work);
+  CHECK(vague.lines.empty());
+  REQUIRE(vague.notes.size() == 1);
+  CHECK_THAT(vague.notes[0].text, Catch::Contains("Work becomes energy: not decided.") && Catch::Contains("known to 0.01 of it alone"));
+  CHECK_THAT(section::energy_evidence(r.analysis, std::nullopt).notes[0].text, Catch::Contains("Work becomes energy: not examined."));
+}
+
+TEST_CASE("a load that switches splits the integration, and a rate that jumps takes the proof away") {
+  std::string text = circuit(dynamics);
+  const std::string load = "\"-7 N\"";
+  REQUIRE(text.find(load) != std::string::npos);
+  const Run switching(text.replace(text.find(load), load.size(), "\"-7 N * max(0, abs(t - 0.737 s)/(t - 0.737 s))\""));
+  CHECK(switching.loaded.scenario.load.knots.size() >= 1);
+  const auto work = analysis::motion_work(switching.analysis);
+  REQUIRE(work);
+  CHECK(std::abs(work->work() + work->load - work->stored) < work->uncertainty);
+  CHECK(work->uncertainty < 1e-9 * work->flow);
+
+  text = circuit(dynamics);
+  const std::string smooth = "0.2 m * sin(pi*t/1 s)";
+  const Run corner(text.replace(text.find(smooth), smooth.size(), "0.2 m * abs(t/1 s - 0.737)"));
+  const section::EnergyEvidence told = section::energy_evidence(corner.analysis, analysis::motion_work(corner.analysis));
+  CHECK(told.lines.empty());
+  REQUIRE(told.notes.size() == 1);
+  CHECK_THAT(told.notes[0].text, Catch::Contains("not examined. Values or rates of the motion jump"));
 }
 
 TEST_CASE("differences tell the rate of what is smooth and how good they are, and own up to a kink") {

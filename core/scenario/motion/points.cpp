@@ -1,18 +1,74 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <core/scenario/motion/laws.hpp>
 #include <core/scenario/motion/spline.hpp>
+#include <core/scenario/motion/unwrap.hpp>
 #include <core/scenario/read/csv.hpp>
 #include <core/text/text.hpp>
 #include <memory>
+#include <numbers>
 
 namespace pmreport::scenario {
 namespace {
 
-std::function<Jet<double>(double)> through(const std::vector<double>& times, std::vector<double> values, bool quintic, Ends ends) {
-  if (quintic) return [curve = std::make_shared<const QuinticSteps>(times, std::move(values))](double t) { return curve->at(t); };
-  return [curve = std::make_shared<const CubicSpline>(times, std::move(values), ends)](double t) { return curve->at(t); };
+constexpr double visible = 1e-3;  // of what a curve moves: how far it must go beyond its points to be worth a word
+
+// The ends of a cubic spline, in words.
+std::string ends_of(Ends ends, std::size_t points) {
+  if (ends == Ends::at_rest) return "at rest at both ends";
+  if (points == 2) return "a straight line";
+  if (points == 3) return "one parabola";
+  return "its outer two pieces one cubic at either end";
+}
+
+// The law through points. `of`: what they are, "3 waypoints".
+Law through(const Moved& m, Place place, const std::vector<double>& times, std::vector<double> values, bool quintic, Ends ends,
+            const std::string& of) {
+  Law out{m.name, m.unit, place, {}, {}, times, {}, {}};
+  for (std::size_t i = 1; i + 1 < times.size(); ++i) out.switches.push_back({times[i], times[i]});
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double moves = *high - *low;
+  if (quintic) {
+    out.description = fmt::format("{}: quintic profile through {}, at rest in each", m.name, of);
+    out.at = [curve = std::make_shared<const QuinticSteps>(times, std::move(values))](double t) { return curve->at(t); };
+  } else {
+    const auto curve = std::make_shared<const CubicSpline>(times, std::move(values), ends);
+    out.description = fmt::format("{}: cubic spline through {}, {}", m.name, of, ends_of(ends, times.size()));
+    if (const auto [beyond, time] = curve->overshoot(); beyond > visible * moves) {
+      const DisplayUnit unit = display_unit(m.unit, beyond);
+      out.description += fmt::format(", up to {}{}{} beyond its points (at {} s)", format_number(beyond * unit.per_si, 3),
+                                     unit.label == "°" ? "" : " ", unit.label, format_number(time, 4));
+    }
+    out.at = [curve](double t) { return curve->at(t); };
+  }
+  if (moves == 0) out.description = fmt::format("{}: constant", m.name);
+  return out;
+}
+
+// Angles that come back by a turn are unwrapped, or taken as they stand, as the key says; where it says nothing, they are refused: `line`
+// tells where the point stands.
+bool settle_turns(const Moved& m, const std::vector<double>& times, std::vector<double>& values, std::optional<bool> unwrapped,
+                  const std::function<void(std::size_t point, const std::string& message, const std::string& hint)>& refuse) {
+  if (sense_of(m.unit) != Sense::rotary || unwrapped == std::optional(false)) return true;
+  if (unwrapped) {
+    unwrap(values);
+    return true;
+  }
+  const auto at = wrapped_at(times, values);
+  if (!at) return true;
+  const double per_degree = 180 / std::numbers::pi, step = (values[*at] - values[*at - 1]) * per_degree;
+  refuse(*at,
+         fmt::format("{} jumps by {} deg from the point before, and a turn less, {} deg, would go on as before", m.name,
+                     format_number(step, 6), format_number(step - std::copysign(360, step), 6)),
+         "unwrap = true in [motion] takes the shortest way from point to point; unwrap = false takes the numbers as they stand");
+  return false;
+}
+
+// Nothing: the key says nothing, or is wrong, told.
+std::optional<bool> read_unwrap(const Entry* entry, const Reader& reader) {
+  return entry != nullptr ? reader.boolean(entry->value) : std::nullopt;
 }
 
 // A file of the scenario's own folder. Whoever sends a scenario around shall not read other files with it: no way up, no absolute path, no
@@ -41,7 +97,7 @@ std::optional<std::filesystem::path> resolve(const std::string& given, Place pla
 
 }  // namespace
 
-std::optional<Laws> read_waypoints(const Entry& waypoints, bool quintic, const Movables& movables, const Reader& reader) {
+std::optional<Laws> read_waypoints(const Entry& waypoints, const Through& how, const Movables& movables, const Reader& reader) {
   Diagnostics& diagnostics = reader.diagnostics();
   const auto tables = tables_of(&waypoints, "motion.waypoint", reader);
   if (tables.empty()) return std::nullopt;
@@ -85,20 +141,21 @@ std::optional<Laws> read_waypoints(const Entry& waypoints, bool quintic, const M
     return std::nullopt;
   }
   if (!sound) return std::nullopt;
+  const auto unwrapped = read_unwrap(how.unwrap, reader);
   for (std::size_t j = 0; j < dof; ++j) {
-    const std::string& name = moved[j].name;
-    const bool moves = std::any_of(values[j].begin(), values[j].end(), [&](double v) { return v != values[j].front(); });
-    const std::string description = !moves ? fmt::format("{}: constant", name)
-                                    : quintic
-                                        ? fmt::format("{}: quintic profile through {} waypoints, at rest in each", name, tables.size())
-                                        : fmt::format("{}: cubic spline through {} waypoints, at rest at both ends", name, tables.size());
-    out.laws.push_back({name, waypoints.place, through(out.times, values[j], quintic, Ends::at_rest), description});
+    const auto refuse = [&](std::size_t point, const std::string& message, const std::string& hint) {
+      diagnostics.add(tables[point]->place, message, hint);
+    };
+    if (settle_turns(moved[j], out.times, values[j], unwrapped, refuse))
+      out.laws.push_back(through(moved[j], waypoints.place, out.times, std::move(values[j]), how.quintic, Ends::at_rest,
+                                 fmt::format("{} waypoints", tables.size())));
   }
+  if (out.laws.size() < dof) return std::nullopt;
   return out;
 }
 
-std::optional<Laws> read_motion_file(const Entry& entry, bool quintic, const Movables& movables, const std::filesystem::path& scenario,
-                                     const Reader& reader) {
+std::optional<Laws> read_motion_file(const Entry& entry, const Through& how, const Movables& movables,
+                                     const std::filesystem::path& scenario, const Reader& reader) {
   Diagnostics& diagnostics = reader.diagnostics();
   const auto given = reader.text(entry.value);
   const auto path = given ? resolve(*given, entry.value.place, scenario, diagnostics) : std::nullopt;
@@ -148,19 +205,22 @@ std::optional<Laws> read_motion_file(const Entry& entry, bool quintic, const Mov
                                                format_number(time->values[i - 1], 9), format_number(time->values[i], 9)));
   if (!sound) return std::nullopt;
   Laws out{kind->by_actuators, time->values, {}};
+  const auto unwrapped = read_unwrap(how.unwrap, reader);
   for (std::size_t j = 0; j < columns.size(); ++j) {
     const Moved& c = moved[j];
     if (columns[j] == nullptr) {
       out.laws.push_back(
-          {c.name, entry.value.place, [home = c.home](double) { return Jet<double>(home); }, fmt::format("{}: home", c.name)});
+          {c.name, c.unit, entry.value.place, [home = c.home](double) { return Jet<double>(home); }, fmt::format("{}: home", c.name)});
       continue;
     }
-    const std::string description =
-        fmt::format("{}: {} through {} rows of {}", c.name, quintic ? "quintics, at rest in each," : "cubic spline", out.times.size(),
-                    printable(*given));
-    out.laws.push_back(
-        {c.name, entry.value.place, through(out.times, std::move(columns[j]->values), quintic, Ends::not_a_knot), description});
+    const auto refuse_row = [&](std::size_t row, const std::string& message, const std::string& hint) {
+      refuse({table->lines[row], 1}, message, hint);
+    };
+    if (settle_turns(c, out.times, columns[j]->values, unwrapped, refuse_row))
+      out.laws.push_back(through(c, entry.value.place, out.times, std::move(columns[j]->values), how.quintic, Ends::not_a_knot,
+                                 fmt::format("{} rows of {}", out.times.size(), printable(*given))));
   }
+  if (!sound) return std::nullopt;
   return out;
 }
 

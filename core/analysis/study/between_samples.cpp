@@ -1,0 +1,171 @@
+#include <core/analysis/study/between_samples.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace pmreport::analysis {
+
+namespace {
+
+constexpr std::size_t orders = 3;  // value, rate, acceleration
+// How far something may go between samples, of all that it moves. A sine that is sampled seven times a period goes a twentieth beyond.
+// Rates and accelerations are allowed more: they waver more, and those of measured points with the noise of these.
+constexpr std::array<double, orders> allowed{0.05, 0.25, 0.25};
+constexpr double shown_well = 0.01;  // the same, where the number of samples is enough
+constexpr double rounding = 1e-12;   // of a value: what moves less does not move
+// Where a stretch is looked at. No ends: they may be knots, which are of neither side.
+constexpr std::array<double, 3> places{1.0 / 6, 0.5, 5.0 / 6};
+
+// One order of one coordinate.
+struct Look {
+  double low = std::numeric_limits<double>::infinity(), high = -low;  // between the samples
+  double sample_low = low, sample_high = high;                        // at the samples
+  double beyond = 0, time = 0;
+  double curvature = 0;  // largest second derivative of it
+
+  void see(double x) { low = std::min(low, x), high = std::max(high, x); }
+};
+
+class Looker {
+ public:
+  explicit Looker(const Analysis& a) : a_(a), motion_(*a.scenario().motion), dof_(static_cast<std::size_t>(a.machine().dof())) {
+    looks_.resize(orders * dof_);
+    left_.resize(looks_.size()), right_ = left_;
+  }
+
+  const std::vector<Look>& look() {
+    const std::vector<double>& t = a_.time();
+    const std::vector<double>& steps = motion_.steps.size() > 1 ? motion_.steps : t;
+    for (std::size_t k = 0; k < t.size(); ++k)
+      if (sample(k))
+        for (std::size_t i = 0; i < looks_.size(); ++i)
+          looks_[i].sample_low = std::min(looks_[i].sample_low, right_[i]),
+          looks_[i].sample_high = std::max(looks_[i].sample_high, right_[i]);
+    std::size_t interval = 0;
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+      const double from = std::max(steps[i - 1], t.front()), to = std::min(steps[i], t.back());
+      if (from < to) stretch(from, to, interval);
+    }
+    return looks_;
+  }
+
+ private:
+  using Numbers = std::vector<double>;  // of every coordinate its value, rate and acceleration
+
+  bool at(double t, Numbers& out) {
+    Numbers value(dof_), rate(dof_), acceleration(dof_);
+    const mechanics::Path& path = motion_.prescribed ? motion_.prescribed : a_.trajectory().at;
+    if (!path(t, value.data(), rate.data(), acceleration.data())) return false;
+    for (std::size_t i = 0; i < dof_; ++i) out[orders * i] = value[i], out[orders * i + 1] = rate[i], out[orders * i + 2] = acceleration[i];
+    return true;
+  }
+
+  // The numbers of a sample, in right_. False where it has none.
+  bool sample(std::size_t k) {
+    const mechanics::Trajectory& m = a_.trajectory();
+    if (!m.reaches(static_cast<int>(k))) return false;
+    if (motion_.by_actuators()) return at(m.time[k], right_);
+    for (std::size_t i = 0; i < dof_; ++i) {
+      const auto row = static_cast<Eigen::Index>(k), column = static_cast<Eigen::Index>(i);
+      right_[orders * i] = m.value(row, column), right_[orders * i + 1] = m.rate(row, column);
+      right_[orders * i + 2] = m.acceleration(row, column);
+    }
+    return true;
+  }
+
+  // A rate that turns between two samples is shown by their accelerations: the cubic that has both rates and both accelerations.
+  double foretold(std::size_t i, double time, double from, double to) const {
+    const double h = to - from, u = (time - from) / h, v = 1 - u;
+    return v * v * (1 + 2 * u) * left_[i] + u * u * (1 + 2 * v) * right_[i] + h * u * v * (v * left_[i + 1] - u * right_[i + 1]);
+  }
+
+  // Within it the motion is a matter of a few points. `interval`: of samples, from which the search for that of a time goes on.
+  void stretch(double from, double to, std::size_t& interval) {
+    const std::vector<double>& t = a_.time();
+    std::array<Numbers, places.size()> x;
+    bool whole = true;
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      const double time = from + places[p] * (to - from);
+      x[p].resize(looks_.size());
+      if (!at(time, x[p])) {
+        whole = false;
+        continue;
+      }
+      while (interval + 2 < t.size() && t[interval + 1] < time) ++interval;
+      if (interval != known_) {
+        known_ = interval;
+        between_ = sample(interval);
+        left_ = right_;
+        between_ = sample(interval + 1) && between_;
+      }
+      for (std::size_t i = 0; i < looks_.size(); ++i) {
+        looks_[i].see(x[p][i]);
+        double beyond = std::max(x[p][i] - std::max(left_[i], right_[i]), std::min(left_[i], right_[i]) - x[p][i]);
+        if (i % orders == 1) beyond = std::min(beyond, std::abs(x[p][i] - foretold(i, time, t[interval], t[interval + 1])));
+        if (between_ && beyond > looks_[i].beyond) looks_[i].beyond = beyond, looks_[i].time = time;
+      }
+    }
+    if (!whole) return;
+    const double h = (places[1] - places[0]) * (to - from);
+    for (std::size_t i = 0; i < looks_.size(); ++i)
+      for (std::size_t p = 1; p + 1 < places.size(); ++p)
+        looks_[i].curvature = std::max(looks_[i].curvature, std::abs(x[p - 1][i] - 2 * x[p][i] + x[p + 1][i]) / (h * h));
+  }
+
+  const Analysis& a_;
+  const scenario::MotionRequest& motion_;
+  std::size_t dof_;
+  std::vector<Look> looks_;
+  Numbers left_, right_;
+  std::size_t known_ = std::numeric_limits<std::size_t>::max();  // the interval whose samples left_ and right_ are
+  bool between_ = false;                                         // both have a pose
+};
+
+// Between samples h apart an extreme is missed by h^2 / 8 times its curvature at most. Rounded up to a number that one would write.
+double samples_for(double span, double share, const Look& look) {
+  const double intervals = span * std::sqrt(look.curvature / (8 * share * (look.high - look.low)));
+  const double power = std::pow(10, std::floor(std::log10(intervals)));
+  for (const double nice : {1.0, 2.0, 5.0})
+    if (nice * power >= intervals) return nice * power + 1;
+  return 10 * power + 1;
+}
+
+}  // namespace
+
+std::vector<Unseen> unseen_between_samples(const Analysis& a) {
+  std::vector<Unseen> out;
+  if (!a.scenario().motion || a.samples() < 2) return out;
+  const scenario::MotionRequest& motion = *a.scenario().motion;
+  const Asked asked = asked_by(a.scenario());
+  const std::array<bool, orders> counts{true, asked.velocity_evidence || asked.acceleration_evidence || asked.forces,
+                                        asked.acceleration_evidence || asked.forces};
+  const double span = a.time().back() - a.time().front();
+  const double pace = static_cast<double>(std::max(motion.steps.size(), a.time().size())) / span;
+  const std::vector<Look> looks = Looker(a).look();
+  const Topology& topology = a.machine().topology();
+  const auto add = [&](std::size_t i, const std::string& name, const std::string& unit) {
+    const Look* own = &looks[orders * i];
+    const double largest = std::max(std::abs(own->low), std::abs(own->high));
+    for (std::size_t k = 0; k < orders; ++k) {
+      const Look& x = own[k];
+      const double moves = x.high - x.low;
+      if (!counts[k] || !(moves > rounding * largest * std::pow(pace, static_cast<double>(k))) || !(x.beyond > allowed[k] * moves))
+        continue;
+      const char* per[] = {"", "/s", "/s^2"};
+      out.push_back({name, unit + per[k], static_cast<OfMotion>(k), x.beyond, x.time, moves, std::max(x.sample_high - x.sample_low, 0.0),
+                     samples_for(span, shown_well, x)});
+      return;
+    }
+  };
+  for (std::size_t i = 0; i < topology.actuators.size(); ++i)
+    if (motion.by_actuators())
+      add(i, topology.actuators[i].name, topology.actuators[i].unit);
+    else
+      add(i, topology.coordinates[i].name, topology.coordinates[i].unit);
+  std::stable_sort(out.begin(), out.end(), [](const Unseen& x, const Unseen& y) { return x.beyond * y.moves > y.beyond * x.moves; });
+  return out;
+}
+
+}  // namespace pmreport::analysis
