@@ -43,7 +43,8 @@ struct Evidence {
   std::string how;    // the two ways compared, or the definition, one sentence
   double value = 0;   // NaN: could not be computed, which fails
   double tolerance = 0;
-  std::string unit;  // SI, or "" for relative
+  std::string unit;         // SI, or "" for relative
+  std::string reason = {};  // why there is no value, where there is none
   bool passed() const { return value <= tolerance; }
 };
 struct Proof {

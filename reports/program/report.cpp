@@ -1,4 +1,5 @@
 #include <core/scenario/loaded.hpp>
+#include <reports/document/finding.hpp>
 #include <reports/document/write.hpp>
 #include <reports/program/commands.hpp>
 #include <reports/program/terminal.hpp>
@@ -39,7 +40,7 @@ void print_verdict(const document::Report& report, const std::string& folder) {
           ++proofs;
           if (e.passed()) continue;
           ++failed;
-          fmt::print("FAILED  {}: {}: {:.3g} exceeds {:.3g} ({})\n", s.title, e.claim, e.value, e.tolerance, e.how);
+          fmt::print("FAILED  {}: {}: {} ({})\n", s.title, e.claim, document::finding(e), e.how);
         }
   fmt::print("{}: {} checks, {} lines of evidence{}; {}/report.html\n", failed == 0 ? "passed" : "FAILED", checks, proofs,
              failed > 0 ? fmt::format(", {} failed", failed) : "", folder);

@@ -32,7 +32,7 @@ std::vector<Paragraph> summary(const Analysis& a, const Report& r) {
   const auto warn = [&](const std::string& text) { out.push_back({Paragraph::Tone::warning, text}); };
   for (const std::string& s : reach_sentences(a)) warn(s);
   for (const std::string& s : singularity_sentences(a)) warn(s);
-  for (const LimitBreach& b : a.breaches()) warn(sentence(a, b));
+  for (const std::string& s : breach_sentences(a)) warn(s);
   for (const std::string& s : limit_sentences(a)) warn(s);
   for (const document::Check& c : r.checks)
     if (!c.passed && c.line > 0) warn("Check failed: " + c.message + ".");

@@ -21,6 +21,7 @@ Json json_of(const Evidence& line) {
   Json out{{"claim", line.claim}, {"how", line.how}, {"passed", line.passed()}};
   put_number(out, "value", line.value);
   out["status"] = status_of(line.value);
+  if (!line.reason.empty()) out["reason"] = line.reason;
   put_number(out, "tolerance", line.tolerance);
   out["unit"] = line.unit;
   return out;

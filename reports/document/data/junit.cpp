@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 #include <reports/document/write.hpp>
 
-#include <cmath>
+#include <reports/document/finding.hpp>
 #include <reports/document/names.hpp>
-#include <reports/document/quantity.hpp>
 #include <reports/document/tally.hpp>
 #include <reports/document/text.hpp>
 
@@ -29,10 +28,8 @@ std::string to_case(const Check& check, const std::string& scenario) {
 }
 
 std::string to_case(const Evidence& line, const std::string& section) {
-  const std::string measured = std::isfinite(line.value) ? "measured " : "";
-  const std::string finding = measured + rounded(line.value, line.unit) + ", tolerance " + rounded(line.tolerance, line.unit);
   return fmt::format("    <testcase name=\"{}\" classname=\"{}\">\n{}    </testcase>\n", escape(line.claim), section,
-                     outcome(line.passed(), "evidence", finding, line.how));
+                     outcome(line.passed(), "evidence", finding(line), line.how));
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 #include <reports/document/write.hpp>
 
 #include <algorithm>
+#include <reports/document/finding.hpp>
 #include <reports/document/html/html_page.hpp>
-#include <reports/document/quantity.hpp>
 #include <reports/document/tally.hpp>
 
 namespace pmreport::document {
@@ -81,7 +81,7 @@ void write_failures(Page& page) {
           if (line.passed()) continue;
           html.element("li", [&] {
             html.element("a", {{"href", "#" + page.names.sections[s]}}, r.sections[s].title);
-            html.text(": " + line.claim + ": " + rounded(line.value, line.unit) + ", tolerance " + rounded(line.tolerance, line.unit));
+            html.text(": " + line.claim + ": " + finding(line));
           });
         }
       }

@@ -1,6 +1,7 @@
 // Paragraphs, tables, figures, galleries and proofs of report.html.
 #include <fmt/format.h>
 
+#include <reports/document/finding.hpp>
 #include <reports/document/html/html_page.hpp>
 #include <reports/document/quantity.hpp>
 
@@ -111,7 +112,7 @@ void write_proof(Page& page, const Section& section, const Proof& proof) {
             html.element("td", [&] { write_result(page, line.passed()); });
             html.element("th", {{"scope", "row"}}, [&] {
               html.element("div", line.claim);
-              if (!line.how.empty()) html.element("div", {{"class", "how"}}, line.how);
+              if (const std::string how = how_it_is_shown(line); !how.empty()) html.element("div", {{"class", "how"}}, how);
             });
             html.element("td", {{"class", "number"}}, rounded(line.value, line.unit));
             html.element("td", {{"class", "number"}}, rounded(line.tolerance, line.unit));

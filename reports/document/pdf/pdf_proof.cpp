@@ -1,3 +1,4 @@
+#include <reports/document/finding.hpp>
 #include <reports/document/pdf/pdf_table.hpp>
 #include <reports/document/quantity.hpp>
 
@@ -21,7 +22,7 @@ void put_proof(Composer& c, const Proof& p) {
          .stretch = 0};
   for (const auto& e : p.lines) {
     std::string claim = markup_line(e.claim);
-    if (!e.how.empty()) claim += "\n" + smaller(markup_line(e.how), grey);
+    if (const std::string how = how_it_is_shown(e); !how.empty()) claim += "\n" + smaller(markup_line(how), grey);
     g.rows.push_back({claim, markup_line(rounded(e.value, e.unit)), markup_line(rounded(e.tolerance, e.unit)), verdict_markup(e.passed())});
   }
   put_grid(c, g);
