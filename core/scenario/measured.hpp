@@ -22,6 +22,8 @@ struct Measured {
 // Gate over a number of the report.
 struct Check : Measured {
   std::optional<double> below, above;  // SI; passes when below and above hold strictly
+  std::optional<double> equals;        // SI; passes when the number is `within` of it or nearer
+  double within = 0;                   // SI; 0: exactly, of counts
   int line = 0;
 };
 

@@ -67,6 +67,25 @@ std::string printable(std::string_view text) {
   return out;
 }
 
+std::string without_noncharacters(std::string_view utf8) {
+  const auto byte = [&](std::size_t i) { return i < utf8.size() ? static_cast<unsigned char>(utf8[i]) : 0u; };
+  std::string out;
+  out.reserve(utf8.size());
+  for (std::size_t i = 0; i < utf8.size();) {
+    // U+FDD0 to U+FDEF are EF B7 90 to EF B7 AF; the last two of each plane end in BF BE and BF BF, their first ten bits in ones.
+    const bool of_block = byte(i) == 0xEF && byte(i + 1) == 0xB7 && byte(i + 2) >= 0x90 && byte(i + 2) <= 0xAF;
+    const bool of_plane_0 = byte(i) == 0xEF && byte(i + 1) == 0xBF && byte(i + 2) >= 0xBE;
+    const bool of_other_plane = byte(i) >= 0xF0 && (byte(i + 1) & 0x0F) == 0x0F && byte(i + 2) == 0xBF && byte(i + 3) >= 0xBE;
+    const std::size_t length = of_other_plane ? 4 : of_block || of_plane_0 ? 3 : 0;
+    if (length > 0)
+      out += "\xEF\xBF\xBD";  // U+FFFD
+    else
+      out += utf8[i];
+    i += std::max<std::size_t>(length, 1);
+  }
+  return out;
+}
+
 std::size_t characters(std::string_view utf8) {
   return static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), [](char c) { return !continues(c); }));
 }

@@ -21,6 +21,9 @@ std::string listed(const std::vector<std::string>& words, const char* last = "an
 std::string in_quotes(std::string_view text);
 std::string printable(std::string_view text);
 
+// With U+FFFD for what Unicode promises never to be a character, U+FDD0 and the like: valid UTF-8, which Cairo refuses all the same.
+std::string without_noncharacters(std::string_view utf8);
+
 // Characters (code points) of UTF-8 text.
 std::size_t characters(std::string_view utf8);
 

@@ -20,16 +20,24 @@ struct Row {
   Dimension dimension;
 };
 constexpr double turn = 2 * std::numbers::pi;
+constexpr double pound = 0.45359237, standard_gravity = 9.80665;  // [kg], [m/s^2]: exact, by agreement
 constexpr Row table[] = {
     {"m", 1, length},
     {"mm", 1e-3, length},
     {"um", 1e-6, length},
     {"µm", 1e-6, length},  // U+00B5, the micro sign
     {"μm", 1e-6, length},  // U+03BC, the Greek letter, which keyboards give
+    {"nm", 1e-9, length},
     {"cm", 1e-2, length},
+    {"km", 1e3, length},
     {"in", 0.0254, length},
+    {"ft", 0.3048, length},
     {"rad", 1, angle},
     {"mrad", 1e-3, angle},
+    {"urad", 1e-6, angle},
+    {"µrad", 1e-6, angle},
+    {"μrad", 1e-6, angle},
+    {"arcsec", turn / 1296000, angle},
     {"deg", turn / 360, angle},
     {"°", turn / 360, angle},
     {"s", 1, time},
@@ -41,12 +49,15 @@ constexpr Row table[] = {
     {"N", 1, force},
     {"kN", 1e3, force},
     {"mN", 1e-3, force},
+    {"lbf", pound* standard_gravity, force},
+    {"kgf", standard_gravity, force},
     {"Nm", 1, moment},
     {"Nmm", 1e-3, moment},
     {"kNm", 1e3, moment},
     {"kg", 1, mass},
     {"g", 1e-3, mass},
     {"t", 1e3, mass},
+    {"lb", pound, mass},
     {"Pa", 1, pressure},
     {"MPa", 1e6, pressure},
     {"GPa", 1e9, pressure},
@@ -148,10 +159,10 @@ struct Step {
   const char* unit;
 };
 std::vector<Step> steps(std::string_view si) {
-  if (si == "m") return {{0, "mm"}, {1e-12, "µm"}, {1e-4, "mm"}, {10, "m"}};
+  if (si == "m") return {{0, "mm"}, {1e-12, "nm"}, {1e-7, "µm"}, {1e-4, "mm"}, {10, "m"}};
   if (si == "m/s") return {{0, "mm/s"}, {1e-12, "µm/s"}, {1e-4, "mm/s"}, {10, "m/s"}};
   if (si == "m/s^2") return {{0, "mm/s^2"}, {10, "m/s^2"}};
-  if (si == "rad") return {{0, "°"}};
+  if (si == "rad") return {{0, "°"}, {1e-12, "µrad"}, {1e-4, "°"}};
   if (si == "rad/s") return {{0, "°/s"}};
   if (si == "rad/s^2") return {{0, "°/s^2"}};
   if (si == "N") return {{0, "N"}, {1e-12, "mN"}, {0.1, "N"}, {1e4, "kN"}};
@@ -176,6 +187,17 @@ std::optional<Unit> parse_unit(std::string_view text) {
     sign = rest[end] == '*' ? 1 : -1;
     rest.remove_prefix(end + 1);
   }
+}
+
+std::string unknown_unit_in(std::string_view text) {
+  while (!text.empty()) {
+    const auto end = std::min(text.find_first_of("*/"), text.size());
+    const std::string_view symbol = trimmed(text.substr(0, std::min(text.find('^'), end)));
+    const bool a_word = symbol.find_first_of("0123456789") == std::string_view::npos;
+    if (!symbol.empty() && a_word && !parse_unit(symbol)) return std::string(symbol);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return {};
 }
 
 std::vector<std::string> unit_symbols() {

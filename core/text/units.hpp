@@ -30,12 +30,14 @@ struct Unit {
 
 // Parses a unit, "mm", "N*m", "kg*m^2", "m/s^2", "" (a plain number); nothing when it is none. SI prefixes are those of the table alone.
 std::optional<Unit> parse_unit(std::string_view text);
+// Of what is no unit, the first symbol that the table does not have: "furlong" of "N*furlong"; empty when it is wrong in another way.
+std::string unknown_unit_in(std::string_view text);
 std::vector<std::string> unit_symbols();     // the table, for "did you mean"
 std::string name_of(const Dimension& d);     // "a length", "an angle", "a force", "an angular velocity", "a plain number", else "m^2*kg/s"
 std::string example_of(const Dimension& d);  // a quantity a user could write there: "250 mm", "5 deg", "10 N"
 
-// The unit in which values of SI unit `si` up to `largest` read best: lengths in mm (µm, m), angles in deg, forces in N or kN, rates and
-// accelerations accordingly. `label` is typographic ("mm/s²", "°", "N·m"): for axes and tables. Data files stay SI.
+// The unit in which values of SI unit `si` up to `largest` read best: lengths in mm (nm, µm, m), angles in deg (µrad), forces in N or kN,
+// rates and accelerations accordingly. `label` is typographic ("mm/s²", "°", "N·m"): for axes and tables. Data files stay SI.
 struct DisplayUnit {
   std::string label;
   double per_si;  // SI value * per_si = displayed value

@@ -5,6 +5,7 @@
 #include <reports/figure/figure.hpp>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -37,14 +38,25 @@ struct Gallery {
   std::string caption;
 };
 
+enum class Verdict { passed, failed, not_examined };  // "passed" is for what was looked at and could have failed
+
 // One line of proof: a residual that must stay below its tolerance.
 struct Evidence {
   std::string claim;  // "loop closure: every joint meets"
   std::string how;    // the two ways compared, or the definition, one sentence
   double value = 0;   // NaN: could not be computed, which fails
   double tolerance = 0;
-  std::string unit;  // SI, or "" for relative
-  bool passed() const { return value <= tolerance; }
+  std::string unit;         // SI, or "" for relative
+  std::string reason = {};  // why there is no value, where there is none
+  bool examined = true;
+
+  // A claim that there was nothing to hold against, for this reason.
+  static Evidence not_examined(std::string claim, std::string how, std::string reason) {
+    return {std::move(claim),  std::move(how), std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(), "",
+            std::move(reason), false};
+  }
+  Verdict verdict() const { return !examined ? Verdict::not_examined : value <= tolerance ? Verdict::passed : Verdict::failed; }
+  bool failed() const { return verdict() == Verdict::failed; }
 };
 struct Proof {
   std::vector<Evidence> lines;
@@ -94,7 +106,7 @@ struct Report {
   std::vector<Check> checks;
   std::vector<Value> values;
   Provenance provenance;
-  bool passed() const;  // every check and every line of evidence
+  bool passed() const;  // no check fails and no line of evidence
 };
 
 }  // namespace pmreport::document

@@ -18,7 +18,8 @@ Tally tally_evidence(const Section& s) {
     if (!proof) continue;
     for (const Evidence& line : proof->lines) {
       ++tally.total;
-      if (!line.passed()) ++tally.failed;
+      if (line.failed()) ++tally.failed;
+      if (!line.examined) ++tally.not_examined;
     }
   }
   return tally;
@@ -30,6 +31,7 @@ Tally tally_evidence(const Report& r) {
     const Tally part = tally_evidence(section);
     tally.total += part.total;
     tally.failed += part.failed;
+    tally.not_examined += part.not_examined;
   }
   return tally;
 }

@@ -6,7 +6,7 @@
 namespace pmreport::document {
 
 struct Tally {
-  int total = 0, failed = 0;
+  int total = 0, failed = 0, not_examined = 0;
 };
 Tally tally_checks(const Report& r);
 Tally tally_evidence(const Section& s);

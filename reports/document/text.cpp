@@ -5,9 +5,10 @@ namespace pmreport::document {
 
 namespace {
 
-bool is_control(gunichar c) {
+// Controls, and what Unicode promises never to be a character: U+FDD0 to U+FDEF and the last two of every plane.
+bool is_no_character(gunichar c) {
   if (c == '\t' || c == '\n' || c == '\r') return false;
-  return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0xfffe || c == 0xffff;
+  return c < 0x20 || (c >= 0x7f && c < 0xa0) || (c >= 0xfdd0 && c <= 0xfdef) || (c & 0xfffe) == 0xfffe;
 }
 
 }  // namespace
@@ -18,7 +19,7 @@ std::string clean(std::string_view raw) {
   for (std::size_t i = 0; i < raw.size();) {
     const auto lead = static_cast<unsigned char>(raw[i]);
     if (lead < 0x80) {
-      if (!is_control(lead)) out += raw[i];
+      if (!is_no_character(lead)) out += raw[i];
       ++i;
       continue;
     }
@@ -29,7 +30,7 @@ std::string clean(std::string_view raw) {
       continue;
     }
     const auto length = static_cast<std::size_t>(g_unichar_to_utf8(c, nullptr));
-    if (!is_control(c)) out += raw.substr(i, length);
+    if (!is_no_character(c)) out += raw.substr(i, length);
     i += length;
   }
   return out;

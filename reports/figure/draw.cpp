@@ -1,13 +1,17 @@
 #include <reports/figure/draw.hpp>
 
 #include <reports/figure/layout.hpp>
+#include <reports/figure/offsets.hpp>
 #include <reports/figure/surface.hpp>
 
 namespace pmreport::figure {
 
-Size size_of(const Figure& figure) { return lay_out(measuring_context().get(), figure).size; }
+Size size_of(const Figure& figure) { return lay_out(measuring_context().get(), set_off(figure)).size; }
 
-void draw(cairo_t* cr, const Figure& figure) { draw_layout(cr, figure, lay_out(cr, figure)); }
+void draw(cairo_t* cr, const Figure& figure) {
+  const Figure as_drawn = set_off(figure);
+  draw_layout(cr, as_drawn, lay_out(cr, as_drawn));
+}
 
 void draw_layout(cairo_t* cr, const Figure& figure, const Layout& layout) {
   cairo_save(cr);

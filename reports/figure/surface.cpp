@@ -9,6 +9,7 @@
 
 #include <reports/figure/embedding.hpp>
 #include <reports/figure/layout.hpp>
+#include <reports/figure/offsets.hpp>
 
 namespace pmreport::figure {
 namespace {
@@ -55,21 +56,23 @@ Context measuring_context() {
 }
 
 std::string to_pdf(const Figure& figure) {
-  const Layout layout = lay_out(measuring_context().get(), figure);
+  const Figure as_drawn = set_off(figure);
+  const Layout layout = lay_out(measuring_context().get(), as_drawn);
   std::string pdf;
   const Surface surface{cairo_pdf_surface_create_for_stream(append, &pdf, layout.size.width, layout.size.height)};
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, date_asked);
-  draw_and_finish(surface.get(), figure, layout);
+  draw_and_finish(surface.get(), as_drawn, layout);
   mend_date(pdf);
   return pdf;
 }
 
 std::string to_svg(const Figure& figure) {
-  const Layout layout = lay_out(measuring_context().get(), figure);
+  const Figure as_drawn = set_off(figure);
+  const Layout layout = lay_out(measuring_context().get(), as_drawn);
   std::string svg;
   const Surface surface{cairo_svg_surface_create_for_stream(append, &svg, layout.size.width, layout.size.height)};
   cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PT);
-  draw_and_finish(surface.get(), figure, layout);
+  draw_and_finish(surface.get(), as_drawn, layout);
   return embeddable_svg(svg, figure);
 }
 

@@ -1,3 +1,4 @@
+#include <core/text/text.hpp>
 #include <reports/figure/text.hpp>
 
 #include <stdexcept>
@@ -64,7 +65,11 @@ struct FreeString {
 };
 using OwnedString = std::unique_ptr<char, FreeString>;
 
-OwnedString valid_utf8(const std::string& text) { return OwnedString{g_utf8_make_valid(text.data(), static_cast<gssize>(text.size()))}; }
+// What Cairo draws: it refuses noncharacters, which GLib lets pass.
+std::string drawable(const std::string& text) {
+  const OwnedString valid{g_utf8_make_valid(text.data(), static_cast<gssize>(text.size()))};
+  return without_noncharacters(valid.get());
+}
 
 void set_markup(PangoLayout* layout, const char* markup) {
   GError* error = nullptr;
@@ -93,11 +98,11 @@ Text::Text(cairo_t* cr, const std::string& text, const Font& font, double width,
     pango_layout_set_width(layout_.get(), pango_units_from_double(width));
     pango_layout_set_wrap(layout_.get(), PANGO_WRAP_WORD_CHAR);
   }
-  const OwnedString valid = valid_utf8(text);
+  const std::string valid = drawable(text);
   if (markup) {
-    set_markup(layout_.get(), valid.get());
+    set_markup(layout_.get(), valid.c_str());
   } else {
-    pango_layout_set_text(layout_.get(), valid.get(), -1);
+    pango_layout_set_text(layout_.get(), valid.c_str(), -1);
   }
 }
 
@@ -116,8 +121,7 @@ void Text::show(double x, double y) const {
 }
 
 std::string escape_markup(const std::string& plain) {
-  const OwnedString valid = valid_utf8(plain);
-  const OwnedString escaped{g_markup_escape_text(valid.get(), -1)};
+  const OwnedString escaped{g_markup_escape_text(drawable(plain).c_str(), -1)};
   return escaped.get();
 }
 

@@ -1,4 +1,5 @@
 #include <core/scenario/loaded.hpp>
+#include <reports/document/finding.hpp>
 #include <reports/document/write.hpp>
 #include <reports/program/commands.hpp>
 #include <reports/program/terminal.hpp>
@@ -25,7 +26,7 @@ scenario::MechanismSource source_of(const host::Catalog& catalog) {
 
 // Verdict, failures, and where the report is.
 void print_verdict(const document::Report& report, const std::string& folder) {
-  int checks = 0, failed = 0, proofs = 0;
+  int checks = 0, failed = 0, proofs = 0, not_examined = 0;
   for (const document::Check& c : report.checks) {
     ++checks;
     if (c.passed) continue;
@@ -37,12 +38,14 @@ void print_verdict(const document::Report& report, const std::string& folder) {
       if (const auto* p = std::get_if<document::Proof>(&b))
         for (const document::Evidence& e : p->lines) {
           ++proofs;
-          if (e.passed()) continue;
+          if (!e.examined) ++not_examined;
+          if (!e.failed()) continue;
           ++failed;
-          fmt::print("FAILED  {}: {}: {:.3g} exceeds {:.3g} ({})\n", s.title, e.claim, e.value, e.tolerance, e.how);
+          fmt::print("FAILED  {}: {}: {} ({})\n", s.title, e.claim, document::finding(e), e.how);
         }
-  fmt::print("{}: {} checks, {} lines of evidence{}; {}/report.html\n", failed == 0 ? "passed" : "FAILED", checks, proofs,
-             failed > 0 ? fmt::format(", {} failed", failed) : "", folder);
+  fmt::print("{}: {} checks, {} lines of evidence{}{}; {}/report.html\n", failed == 0 ? "passed" : "FAILED", checks, proofs,
+             failed > 0 ? fmt::format(", {} failed", failed) : "", not_examined > 0 ? fmt::format(", {} not examined", not_examined) : "",
+             folder);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ std::vector<Paragraph> summary(const Analysis& a, const std::vector<analysis::Un
   for (const std::string& s : nearness_sentences(a)) warn(s);
   for (const std::string& s : jump_sentences(a)) warn(s);
   for (const std::string& s : unseen_sentences(a, unseen)) warn(s);
-  for (const LimitBreach& b : a.breaches()) warn(sentence(a, b));
+  for (const std::string& s : breach_sentences(a)) warn(s);
   for (const std::string& s : limit_sentences(a)) warn(s);
   for (const document::Check& c : r.checks)
     if (!c.passed && c.line > 0) warn("Check failed: " + c.message + ".");

@@ -110,6 +110,18 @@ TEST_CASE("junit.xml has a case for each check and each line of evidence") {
   CHECK(sample::contains(xml, "t = 3.62 s: limb 3 is too long"));
 }
 
+TEST_CASE("evidence without a value says why, and never compares what is not there") {
+  Report r = sample::report();
+  last_evidence(r).value = not_a_number;
+  last_evidence(r).reason = "no sample can be assembled (the feeler is too short)";
+  CHECK(sample::contains(to_junit(r),
+                         "message=\"has no value: no sample can be assembled (the feeler is too short); tolerance 1 × 10⁻⁹ W\""));
+  CHECK(sample::contains(to_html(r), "has no value: no sample can be assembled (the feeler is too short)"));
+  const json evidence = json::parse(to_json(r))["sections"].back()["evidence"].back();
+  CHECK(evidence["reason"] == "no sample can be assembled (the feeler is too short)");
+  CHECK(evidence["passed"] == false);
+}
+
 TEST_CASE("junit.xml is well-formed whatever a user typed") {
   if (std::system("command -v xmllint >/dev/null") != 0) {
     WARN("xmllint is not here: well-formedness was not looked at");

@@ -49,6 +49,7 @@ TEST_CASE("control characters and broken UTF-8 do not reach a file") {
   CHECK(clean("\xed\xa0\x80") == "\uFFFD\uFFFD\uFFFD");  // half of a surrogate pair
   CHECK(clean("end \xe2\x82") == "end \uFFFD\uFFFD");    // cut in the middle
   CHECK(clean("\uFFFE\u0085x") == "x");
+  CHECK(clean("Tiny \uFDD0\uFDEF\U0001FFFF!") == "Tiny !");  // valid UTF-8, and never a character
   CHECK(clean("Prüfung 机构 𝛼") == "Prüfung 机构 𝛼");
 }
 

@@ -22,7 +22,19 @@ TEST_CASE("every unit has its factor and dimension") {
       {"µm", 0.000001, {1, 0, 0, 0}},
       {"\u03bcm", 0.000001, {1, 0, 0, 0}},
       {"um", 0.000001, {1, 0, 0, 0}},
+      {"nm", 0.000000001, {1, 0, 0, 0}},
+      {"km", 1000, {1, 0, 0, 0}},
       {"in", 0.0254, {1, 0, 0, 0}},
+      {"ft", 0.3048, {1, 0, 0, 0}},
+      {"urad", 0.000001, {0, 0, 0, 1}},
+      {"µrad", 0.000001, {0, 0, 0, 1}},
+      {"\u03bcrad", 0.000001, {0, 0, 0, 1}},
+      {"arcsec", pi / 180 / 3600, {0, 0, 0, 1}},
+      {"lb", 0.45359237, {0, 1, 0, 0}},
+      {"lbf", 4.4482216152605, {1, 1, -2, 0}},
+      {"kgf", 9.80665, {1, 1, -2, 0}},
+      {"lbf*ft", 1.3558179483314004, {2, 1, -2, 0}},
+      {"lbf/in^2", 6894.757293168361, {-1, 1, -2, 0}},
       {"deg", pi / 180, {0, 0, 0, 1}},
       {"°", pi / 180, {0, 0, 0, 1}},
       {"min", 60, {0, 0, 1, 0}},
@@ -65,6 +77,16 @@ TEST_CASE("what is not in the table is no unit") {
   CHECK_FALSE(parse_unit(std::string(100000, 'm')));
 }
 
+TEST_CASE("the unit that is not known is found among those that are") {
+  CHECK(unknown_unit_in("furlong") == "furlong");
+  CHECK(unknown_unit_in("N*furlong") == "furlong");
+  CHECK(unknown_unit_in("m/fortnight^2") == "fortnight");
+  for (const char* wrong_otherwise : {"N*", "/s", "m^x", "5", ""}) {
+    CAPTURE(wrong_otherwise);
+    CHECK(unknown_unit_in(wrong_otherwise).empty());
+  }
+}
+
 TEST_CASE("an example is a quantity of its own dimension") {
   for (int length = -3; length <= 3; ++length)
     for (int mass = -1; mass <= 1; ++mass)
@@ -102,9 +124,13 @@ TEST_CASE("a quantity is shown in the unit that reads best") {
       {"m", 0.8, "mm", 1e3},
       {"m", 25, "m", 1},
       {"m", 3e-6, "µm", 1e6},
+      {"m", 2e-8, "nm", 1e9},
+      {"m", 1000, "m", 1},
       {"m", 0, "mm", 1e3},
       {"m", -0.8, "mm", 1e3},
       {"rad", 0.1, "°", 180 / pi},
+      {"rad", 5e-6, "µrad", 1e6},
+      {"rad", 0, "°", 180 / pi},
       {"rad/s", 3, "°/s", 180 / pi},
       {"rad/s^2", 3, "°/s²", 180 / pi},
       {"m/s^2", 0.3, "mm/s²", 1e3},

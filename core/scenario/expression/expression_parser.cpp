@@ -136,7 +136,11 @@ class ExpressionParser {
   Part measured() {
     const Part x = atom();
     const std::size_t start = at_;
-    if (!could_be_measured_ || !starts_unit()) return x;
+    if (!could_be_measured_) return x;
+    if (!starts_unit()) {
+      require_known_unit();
+      return x;
+    }
     Unit unit{"", 1, {}};
     int sign = 1;
     for (;;) {
@@ -275,6 +279,22 @@ class ExpressionParser {
     std::size_t after = at_ + symbol.size();
     while (after < text_.size() && text_[after] == ' ') ++after;
     return after >= text_.size() || text_[after] != '(';
+  }
+
+  // "12 furlong": where a word follows a number, a unit was meant, unless it is the name of something else.
+  void require_known_unit() const {
+    const std::string_view name = word();
+    const auto is_name = [&](const auto& x) { return x.name == name; };
+    if (name.empty() || name == "t" || name == "pi" || parse_unit(name)) return;
+    if (std::any_of(std::begin(functions), std::end(functions), is_name) || std::any_of(variables_.begin(), variables_.end(), is_name))
+      return;
+    // "m2": an exponent without its sign.
+    const std::string_view stem = name.substr(0, name.find_first_of("0123456789"));
+    const std::string meant = stem.size() < name.size() && parse_unit(stem)
+                                  ? "; did you mean " + in_quotes(fmt::format("{}^{}", stem, name.substr(stem.size()))) + "?"
+                                  : did_you_mean(name, unit_symbols());
+    throw ExpressionError(at_, fmt::format("unknown unit {}{}", in_quotes(name), meant),
+                          "the units are " + listed(unit_symbols(), "and"));
   }
 
   // Letters, and digits after the first of them (atan2).

@@ -71,11 +71,22 @@ class TableParser {
       const std::size_t open = text.find('[');
       if (open == std::string_view::npos || text.back() != ']')
         return refuse(cell.column, "expected a name with its unit in brackets (e.g. \"t [s]\"), seen " + in_quotes(cell.text));
-      const auto unit = parse_unit(text.substr(open + 1, text.size() - open - 2));
-      if (!unit) return refuse(cell.column, "unknown unit in " + in_quotes(cell.text), "the units are " + listed(unit_symbols(), "and"));
+      const std::string_view written = text.substr(open + 1, text.size() - open - 2);
+      const auto unit = parse_unit(written);
+      if (!unit) return refuse_unit(cell, written);
       table_.columns.push_back({std::string(trim(text.substr(0, open))), *unit, {line_, cell.column}, {}});
     }
     stop_ = false;
+  }
+
+  void refuse_unit(const Cell& cell, std::string_view written) {
+    const std::string unknown = unknown_unit_in(written);
+    if (unknown.empty())
+      refuse(cell.column, fmt::format("expected a unit in brackets (e.g. \"[mm/s^2]\"), seen {}", in_quotes(cell.text)));
+    else
+      refuse(cell.column,
+             fmt::format("unknown unit {} in {}{}", in_quotes(unknown), in_quotes(cell.text), did_you_mean(unknown, unit_symbols())),
+             "the units are " + listed(unit_symbols(), "and"));
   }
 
   void row() {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <core/scenario/read/document.hpp>
+#include <core/scenario/read/nesting.hpp>
 #include <core/text/text.hpp>
 
 namespace pmreport::scenario {
@@ -66,6 +67,10 @@ std::string hint_for(std::string_view line) {
 }  // namespace
 
 Value parse_document(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
+  if (const auto place = too_deep(text))
+    throw ScenarioError({{file, place->line, place->column,
+                          fmt::format("expected at most {} levels of tables and lists in each other, seen more", deepest_nesting),
+                          line_of(text, place->line), "a scenario has its keys in a table or two: [mechanism.parameters]"}});
   try {
     return value_of(toml::parse(text), "", diagnostics);
   } catch (const toml::parse_error& e) {

@@ -27,7 +27,8 @@ struct Entry {
   Value value;
 };
 
-// Throws ScenarioError at the first syntax error; nan and inf are added to `diagnostics`.
+// Throws ScenarioError at the first syntax error, or where tables and lists are nested beyond all sense; nan and inf are added to
+// `diagnostics`.
 Value parse_document(std::string_view text, const std::string& file, Diagnostics& diagnostics);
 
 std::string name_of(const Value& value);  // "a text", "the number 400", "a table"

@@ -15,12 +15,13 @@ using Json = nlohmann::ordered_json;
 void put_number(Json& into, const char* key, double value) { into[key] = std::isfinite(value) ? Json(value) : Json(nullptr); }
 const char* status_of(double value) { return std::isfinite(value) ? "ok" : "not finite"; }
 
-Json json_of(const Tally& tally) { return {{"total", tally.total}, {"failed", tally.failed}}; }
+Json json_of(const Tally& tally) { return {{"total", tally.total}, {"failed", tally.failed}, {"not_examined", tally.not_examined}}; }
 
 Json json_of(const Evidence& line) {
-  Json out{{"claim", line.claim}, {"how", line.how}, {"passed", line.passed()}};
+  Json out{{"claim", line.claim}, {"how", line.how}, {"passed", line.verdict() == Verdict::passed}};
   put_number(out, "value", line.value);
-  out["status"] = status_of(line.value);
+  out["status"] = line.examined ? status_of(line.value) : "not examined";
+  if (!line.reason.empty()) out["reason"] = line.reason;
   put_number(out, "tolerance", line.tolerance);
   out["unit"] = line.unit;
   return out;

@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 #include <reports/document/write.hpp>
 
-#include <cmath>
+#include <reports/document/finding.hpp>
 #include <reports/document/names.hpp>
-#include <reports/document/quantity.hpp>
 #include <reports/document/tally.hpp>
 #include <reports/document/text.hpp>
 
@@ -12,27 +11,28 @@ namespace pmreport::document {
 namespace {
 
 std::string attributes(const std::string& name, const Tally& tally) {
-  return fmt::format("name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\"", escape(name), tally.total, tally.failed);
+  return fmt::format("name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\"", escape(name), tally.total, tally.failed,
+                     tally.not_examined);
 }
 
 // What was measured and what was asked stand with every case, passed or not: a trend is read from them before anything breaks.
-std::string outcome(bool passed, const char* type, const std::string& finding, const std::string& detail) {
+std::string outcome(Verdict verdict, const char* type, const std::string& finding, const std::string& detail) {
   const std::string text = detail.empty() ? finding : finding + "\n" + detail;
-  if (passed) return fmt::format("      <system-out>{}</system-out>\n", escape(text));
+  if (verdict == Verdict::not_examined) return fmt::format("      <skipped message=\"{}\"/>\n", escape(text));
+  if (verdict == Verdict::passed) return fmt::format("      <system-out>{}</system-out>\n", escape(text));
   return fmt::format("      <failure type=\"{}\" message=\"{}\">{}</failure>\n", type, escape(finding), escape(text));
 }
 
 std::string to_case(const Check& check, const std::string& scenario) {
   const std::string place = check.line > 0 ? fmt::format(" file=\"{}\" line=\"{}\"", escape(scenario), check.line) : "";
   return fmt::format("    <testcase name=\"{}\" classname=\"checks\"{}>\n{}    </testcase>\n", escape(check.name), place,
-                     outcome(check.passed, "check", "measured " + check.measured + ", limit " + check.limit, check.message));
+                     outcome(check.passed ? Verdict::passed : Verdict::failed, "check",
+                             "measured " + check.measured + ", limit " + check.limit, check.message));
 }
 
 std::string to_case(const Evidence& line, const std::string& section) {
-  const std::string measured = std::isfinite(line.value) ? "measured " : "";
-  const std::string finding = measured + rounded(line.value, line.unit) + ", tolerance " + rounded(line.tolerance, line.unit);
   return fmt::format("    <testcase name=\"{}\" classname=\"{}\">\n{}    </testcase>\n", escape(line.claim), section,
-                     outcome(line.passed(), "evidence", finding, line.how));
+                     outcome(line.verdict(), "evidence", finding(line), line.how));
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ std::string to_case(const Evidence& line, const std::string& section) {
 std::string to_junit(const Report& r) {
   const Names names = names_of(r);
   const Tally checks = tally_checks(r), evidence = tally_evidence(r);
-  const Tally all{checks.total + evidence.total, checks.failed + evidence.failed};
+  const Tally all{checks.total + evidence.total, checks.failed + evidence.failed, evidence.not_examined};
   std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites " + attributes(r.title, all) + ">\n";
   if (checks.total > 0) {
     out += "  <testsuite " + attributes("checks", checks) + ">\n";

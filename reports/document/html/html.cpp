@@ -3,8 +3,8 @@
 #include <reports/document/write.hpp>
 
 #include <algorithm>
+#include <reports/document/finding.hpp>
 #include <reports/document/html/html_page.hpp>
-#include <reports/document/quantity.hpp>
 #include <reports/document/tally.hpp>
 
 namespace pmreport::document {
@@ -13,10 +13,15 @@ namespace {
 
 std::string plural(int count, const char* one, const char* many) { return std::to_string(count) + " " + (count == 1 ? one : many); }
 
-// "All 3 checks passed", "1 of 3 checks failed"
+// "All 3 checks passed", "1 of 3 checks failed", "2 of 3 lines of evidence passed, 1 was not examined"
 std::string told(const Tally& tally, const char* one, const char* many, const char* none) {
   if (tally.total == 0) return none;
-  if (tally.failed > 0) return std::to_string(tally.failed) + " of " + plural(tally.total, one, many) + " failed";
+  const std::string blank = tally.not_examined > 0
+                                ? ", " + std::to_string(tally.not_examined) + (tally.not_examined == 1 ? " was" : " were") + " not examined"
+                                : "";
+  if (tally.failed > 0) return std::to_string(tally.failed) + " of " + plural(tally.total, one, many) + " failed" + blank;
+  if (tally.not_examined > 0)
+    return std::to_string(tally.total - tally.not_examined) + " of " + plural(tally.total, one, many) + " passed" + blank;
   return (tally.total == 1 ? "The one " + std::string(one) : "All " + plural(tally.total, one, many)) + " passed";
 }
 
@@ -78,10 +83,10 @@ void write_failures(Page& page) {
         const auto* proof = std::get_if<Proof>(&block);
         if (!proof) continue;
         for (const Evidence& line : proof->lines) {
-          if (line.passed()) continue;
+          if (!line.failed()) continue;
           html.element("li", [&] {
             html.element("a", {{"href", "#" + page.names.sections[s]}}, r.sections[s].title);
-            html.text(": " + line.claim + ": " + rounded(line.value, line.unit) + ", tolerance " + rounded(line.tolerance, line.unit));
+            html.text(": " + line.claim + ": " + finding(line));
           });
         }
       }
@@ -125,7 +130,7 @@ void write_checks(Page& page) {
         html.element("tbody", [&] {
           for (const Check& check : page.report.checks) {
             html.element("tr", [&] {
-              html.element("td", [&] { write_result(page, check.passed); });
+              html.element("td", [&] { write_result(page, check.passed ? Verdict::passed : Verdict::failed); });
               html.element("th", {{"scope", "row"}}, [&] {
                 html.element("div", check.name);
                 if (check.message.empty() && check.line <= 0) return;

@@ -1,6 +1,7 @@
 // Paragraphs, tables, figures, galleries and proofs of report.html.
 #include <fmt/format.h>
 
+#include <reports/document/finding.hpp>
 #include <reports/document/html/html_page.hpp>
 #include <reports/document/quantity.hpp>
 
@@ -108,10 +109,10 @@ void write_proof(Page& page, const Section& section, const Proof& proof) {
       html.element("tbody", [&] {
         for (const Evidence& line : proof.lines) {
           html.element("tr", [&] {
-            html.element("td", [&] { write_result(page, line.passed()); });
+            html.element("td", [&] { write_result(page, line.verdict()); });
             html.element("th", {{"scope", "row"}}, [&] {
               html.element("div", line.claim);
-              if (!line.how.empty()) html.element("div", {{"class", "how"}}, line.how);
+              if (const std::string how = how_it_is_shown(line); !how.empty()) html.element("div", {{"class", "how"}}, how);
             });
             html.element("td", {{"class", "number"}}, rounded(line.value, line.unit));
             html.element("td", {{"class", "number"}}, rounded(line.tolerance, line.unit));
@@ -140,8 +141,16 @@ void write_paragraph(Page& page, const Paragraph& paragraph) {
   }
 }
 
-void write_result(Page& page, bool passed) {
-  page.html.element("span", {{"class", passed ? "result passed" : "result failed"}}, passed ? "✓ passed" : "✗ failed");
+void write_result(Page& page, Verdict verdict) {
+  const auto say = [&](const char* style, const char* word) { page.html.element("span", {{"class", style}}, word); };
+  switch (verdict) {
+    case Verdict::passed:
+      return say("result passed", "✓ passed");
+    case Verdict::failed:
+      return say("result failed", "✗ failed");
+    case Verdict::not_examined:
+      return say("result", "– not examined");
+  }
 }
 
 void write_block(Page& page, const Section& section, const Block& block) {

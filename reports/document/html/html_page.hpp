@@ -24,7 +24,7 @@ void write_scroll_box(Page& page, std::string_view label, Inside inside) {
   page.html.element("div", {{"class", "scroll"}, {"role", "region"}, {"aria-label", label}, {"tabindex", "0"}}, inside);
 }
 
-void write_result(Page& page, bool passed);  // a symbol, a word and, last, a colour
+void write_result(Page& page, Verdict verdict);  // a symbol, a word and, last, a colour
 
 // The page with drawings that exist already; names and drawings in the report's order.
 std::string to_html(const Report& r, const Names& names, const std::vector<std::string>& drawings);

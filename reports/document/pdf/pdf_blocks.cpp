@@ -73,7 +73,11 @@ void put_field(Composer& c, const std::string& label, const std::string& value) 
               }});
 }
 
-std::string verdict_markup(bool passed) { return passed ? coloured("pass", good) : coloured("<b>FAIL</b>", bad); }
+std::string verdict_markup(Verdict verdict) {
+  return verdict == Verdict::passed   ? coloured("pass", good)
+         : verdict == Verdict::failed ? coloured("<b>FAIL</b>", bad)
+                                      : coloured("not examined", grey);
+}
 
 std::string numbered(const char* kind, int number, const std::string& caption_markup) {
   return fmt::format("<b>{} {}.</b> {}", kind, number, caption_markup);

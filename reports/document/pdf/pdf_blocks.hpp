@@ -45,6 +45,6 @@ void put_field(Composer& c, const std::string& label, const std::string& value);
 std::string numbered(const char* kind, int number, const std::string& caption_markup);
 
 // "pass", or "FAIL" so that nobody overlooks it.
-std::string verdict_markup(bool passed);
+std::string verdict_markup(Verdict verdict);
 
 }  // namespace pmreport::document::pdf

@@ -13,7 +13,8 @@ namespace {
 
 std::string kept(const Tally& t, const char* one, const char* many) {
   if (t.total == 0) return fmt::format("no {}", many);
-  return fmt::format("{} of {} {}", t.total - t.failed, t.total, t.total == 1 ? one : many);
+  return fmt::format("{} of {} {}{}", t.total - t.failed - t.not_examined, t.total, t.total == 1 ? one : many,
+                     t.not_examined > 0 ? fmt::format(" ({} not examined)", t.not_examined) : "");
 }
 
 // A line that leads to where a claim failed.

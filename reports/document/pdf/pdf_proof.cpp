@@ -1,3 +1,4 @@
+#include <reports/document/finding.hpp>
 #include <reports/document/pdf/pdf_table.hpp>
 #include <reports/document/quantity.hpp>
 
@@ -21,8 +22,9 @@ void put_proof(Composer& c, const Proof& p) {
          .stretch = 0};
   for (const auto& e : p.lines) {
     std::string claim = markup_line(e.claim);
-    if (!e.how.empty()) claim += "\n" + smaller(markup_line(e.how), grey);
-    g.rows.push_back({claim, markup_line(rounded(e.value, e.unit)), markup_line(rounded(e.tolerance, e.unit)), verdict_markup(e.passed())});
+    if (const std::string how = how_it_is_shown(e); !how.empty()) claim += "\n" + smaller(markup_line(how), grey);
+    g.rows.push_back(
+        {claim, markup_line(rounded(e.value, e.unit)), markup_line(rounded(e.tolerance, e.unit)), verdict_markup(e.verdict())});
   }
   put_grid(c, g);
 }
@@ -42,7 +44,7 @@ void put_checks(Composer& c, const std::vector<Check>& checks) {
     std::string name = markup_line(check.name);
     if (!check.message.empty()) name += "\n" + smaller(markup_line(check.message), check.passed ? grey : bad);
     g.rows.push_back({name, markup_line(check.measured), markup_line(check.limit), check.line > 0 ? fmt::to_string(check.line) : "",
-                      verdict_markup(check.passed)});
+                      verdict_markup(check.passed ? Verdict::passed : Verdict::failed)});
   }
   put_grid(c, g);
   put_lines(c, "Lines are those of the scenario, printed in the appendix.", secondary);

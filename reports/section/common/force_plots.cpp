@@ -1,6 +1,7 @@
 #include <core/mechanics/model/effort.hpp>
 #include <reports/section/common/force_plots.hpp>
 
+#include <reports/section/common/noise.hpp>
 #include <reports/section/common/words.hpp>
 
 #include <fmt/core.h>
@@ -53,18 +54,19 @@ figure::Panel share_panel(const Analysis& a, const std::string& title, const std
 std::string effort(const std::string& actuator_unit) { return mechanics::word_of_effort(sense_of(actuator_unit)); }
 std::string effort_unit(const std::string& actuator_unit) { return mechanics::unit_of_effort(sense_of(actuator_unit)); }
 
-TableColumn::TableColumn(const std::string& title, const std::string& unit, const std::vector<double>& values) {
+TableColumn::TableColumn(const Analysis& a, const std::string& title, const std::string& unit, const std::vector<double>& values) {
   double largest = 0;
   for (const double x : values)
     if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
   const DisplayUnit d = display_unit(unit, largest);
   per_si_ = d.per_si;
+  nothing_ = std::max(noise(a, unit, {}), noise_of(largest));
   heading_ = d.label.empty() ? title : fmt::format("{} [{}]", title, d.label);
 }
 
 std::string TableColumn::cell(double value) const {
   if (!std::isfinite(value)) return "–";
-  return typeset(format_number((std::abs(value) < 1e-13 ? 0 : value) * per_si_, 4));
+  return typeset(format_number((std::abs(value) < nothing_ ? 0 : value) * per_si_, 4));
 }
 
 }  // namespace pmreport::section

@@ -39,13 +39,13 @@ using analysis::rms;
 // A column of a table: one SI unit, shown in the unit that reads best for its largest number.
 class TableColumn {
  public:
-  TableColumn(const std::string& title, const std::string& unit, const std::vector<double>& values);
+  TableColumn(const Analysis& a, const std::string& title, const std::string& unit, const std::vector<double>& values);
   const std::string& heading() const { return heading_; }  // "peak force [N]"
-  std::string cell(double value) const;                    // "–" where it is not a number
+  std::string cell(double value) const;                    // "–" where it is not a number, "0" where it is rounding
 
  private:
   std::string heading_;
-  double per_si_;
+  double per_si_, nothing_;
 };
 
 }  // namespace pmreport::section

@@ -1,3 +1,5 @@
+#include <core/text/digits.hpp>
+#include <reports/section/common/noise.hpp>
 #include <reports/section/common/plots.hpp>
 #include <reports/section/common/words.hpp>
 
@@ -10,9 +12,13 @@
 namespace pmreport::section {
 
 namespace {
-// SI. What is smaller is the rounding of sums that vanish: figures and tables show zero, data files the number.
-constexpr double rounding = 1e-13;
-double shown(double x) { return std::abs(x) < rounding ? 0 : x; }
+
+// Without the rounding of what vanishes.
+double shown(double x, double noise) { return std::abs(x) < noise ? 0 : x; }
+
+// Significant digits of the smallest and the largest value of a column, and of the difference between them.
+constexpr int digits_of_value = 5, digits_of_span = 3;
+
 }  // namespace
 
 std::vector<ColumnId> columns_of(const std::vector<Trace>& curves) {
@@ -21,16 +27,22 @@ std::vector<ColumnId> columns_of(const std::vector<Trace>& curves) {
   return out;
 }
 
+DisplayUnit unit_of(const Analysis& a, const std::string& unit, const std::vector<Trace>& curves) {
+  const std::vector<ColumnId> columns = columns_of(curves);
+  return display_unit(unit, shown(a.largest(columns), noise(a, unit, columns)));
+}
+
 figure::Panel panel(const Analysis& a, const std::string& title, const std::string& axis, const std::string& unit,
                     const std::vector<Trace>& curves) {
-  const DisplayUnit d = display_unit(unit, shown(a.largest(columns_of(curves))));
+  const DisplayUnit d = unit_of(a, unit, curves);
+  const double nothing = noise(a, unit, columns_of(curves));
   figure::Panel p;
   p.title = title;
   p.x = {"time", "s"};
   p.y = {axis, d.label};
   for (const Trace& c : curves) {
     figure::Series s{c.label, a.time(), a.column(c.column), -1};
-    for (double& y : s.y) y = shown(y) * d.per_si;
+    for (double& y : s.y) y = shown(y, nothing) * d.per_si;
     p.series.push_back(std::move(s));
   }
   // A sample stands for the time halfway to its neighbours.
@@ -83,13 +95,25 @@ document::Table extremes(const Analysis& a, const std::string& caption, const st
       table.rows.push_back({c.name, c.title, "–", "–", "–", "–", c.unit});
       continue;
     }
-    const double smallest = shown(x[static_cast<std::size_t>(low)]), largest = shown(x[static_cast<std::size_t>(high)]);
+    const double nothing = noise(a, c.unit, {c});
+    const double smallest = shown(x[static_cast<std::size_t>(low)], nothing), largest = shown(x[static_cast<std::size_t>(high)], nothing);
     const DisplayUnit d = display_unit(c.unit, std::max(std::abs(smallest), std::abs(largest)));
-    table.rows.push_back({c.name, c.title, typeset(format_number(smallest * d.per_si, 5)), show_time(a, low),
-                          typeset(format_number(largest * d.per_si, 5)), show_time(a, high), d.label});
+    const std::vector<std::string> both =
+        format_together({smallest * d.per_si, largest * d.per_si}, digits_of_value, digits_of_span, nothing * d.per_si);
+    table.rows.push_back({c.name, c.title, typeset(both[0]), show_time(a, low), typeset(both[1]), show_time(a, high), d.label});
   }
   return table;
 }
+
+namespace {
+
+// A number that could not be computed at some sample counts as the worst: what could be is no proof then.
+std::string why_no_value(const Analysis& a, const Worst& w) {
+  if (w.compared == 0) return why_nothing(a);
+  return "it could not be computed" + (w.sample >= 0 ? " at t = " + show_time(a, w.sample) : std::string());
+}
+
+}  // namespace
 
 document::Proof proof(const Analysis& a, const std::vector<Claim>& claims) {
   document::Proof p;
@@ -97,11 +121,21 @@ document::Proof proof(const Analysis& a, const std::vector<Claim>& claims) {
     const Worst w = a.worst(c.measure, c.tolerance);
     std::string how = c.how;
     if (w.compared < a.samples()) how += fmt::format(" ({} of {} samples)", w.compared, a.samples());
+    if (w.compared == 0) {
+      p.lines.push_back(document::Evidence::not_examined(
+          c.claim, c.how, w.undecided > 0 ? "too near the end of reach to compare any digit" : why_no_value(a, w)));
+      continue;
+    }
+    if (!std::isfinite(w.value)) {
+      p.lines.push_back({c.claim, how, std::numeric_limits<double>::quiet_NaN(), c.tolerance, c.unit, why_no_value(a, w)});
+      continue;
+    }
     if (w.poorly_known > 0)
       how += fmt::format("; at {} rounding leaves either side known to {} or better only, and that is what it is judged by",
                          plural(w.poorly_known, "sample"), format_number(w.poorest, 2));
     if (w.undecided > 0) how += fmt::format("; at {} no digit is left to compare: not decided", plural(w.undecided, "sample"));
-    p.lines.push_back({c.claim, how, w.compared > 0 ? w.value : std::numeric_limits<double>::quiet_NaN(), c.tolerance, c.unit});
+    if (w.value > c.tolerance) how += fmt::format("; largest at t = {}", show_time(a, w.sample));
+    p.lines.push_back({c.claim, how, w.value, c.tolerance, c.unit});
   }
   return p;
 }

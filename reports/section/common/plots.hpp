@@ -1,6 +1,7 @@
 // Panels and proofs from the columns and measures of an analysis.
 #pragma once
 
+#include <core/text/units.hpp>
 #include <reports/document/report.hpp>
 #include <reports/section/common/analysis.hpp>
 
@@ -15,13 +16,15 @@ struct Trace {
 };
 std::vector<ColumnId> columns_of(const std::vector<Trace>& curves);
 
+// The unit that reads best for all of them.
+DisplayUnit unit_of(const Analysis& a, const std::string& unit, const std::vector<Trace>& curves);
 // A panel of columns with one SI unit, scaled to the unit that reads best; samples that break a limit are shaded, gaps kept.
 figure::Panel panel(const Analysis& a, const std::string& title, const std::string& axis, const std::string& unit,
                     const std::vector<Trace>& curves);
 // The curves of a group of the columns of a list, labelled by the symbols of their quantities: "l1_rate" by l₁. `unit`: only those of it,
 // "1" those without one; empty: all.
 std::vector<Trace> group(const Analysis& a, ColumnList* list, const std::string& name, const std::string& unit = "");
-// Smallest and largest value of columns and when, as a table.
+// Smallest and largest value of columns and when, as a table: with as many digits as set the two apart.
 document::Table extremes(const Analysis& a, const std::string& caption, const std::vector<Column>& columns);
 
 struct Claim {

@@ -14,7 +14,7 @@ using What = analysis::Crossing::What;
 
 namespace {
 
-constexpr std::size_t most_told = 6;  // crossings; a motion that meets more has said enough
+constexpr std::size_t few = 3;  // of a sort are told one by one
 // From this condition number of the unit wrenches on the platform on, a load asks for forces out of all proportion, and a report says so.
 constexpr double poor_hold = 1000;
 
@@ -34,6 +34,20 @@ const char* meaning(What what) {
       return "There bodies of a limb move by themselves, platform and actuators locked.";
   }
   return "";
+}
+
+const char* does(const Crossing& c) {
+  if (c.lasts()) return "stays on";
+  if (c.what != What::surface && c.what != What::pole) return "meets";
+  return c.touches ? "touches" : "crosses";
+}
+const char* place(const Crossing& c) { return c.what == What::surface || c.what == What::pole ? "a singular surface" : "a singularity"; }
+
+// One sentence for all that are alike.
+std::string many(const std::vector<Crossing>& all) {
+  return fmt::format("The motion {} {} {} times: {}, first at t = {} s and last at t = {} s. {}", does(all.front()), place(all.front()),
+                     all.size(), signs_of(all.front()), format_number(all.front().time, 7), format_number(all.back().time, 7),
+                     meaning(all.front().what));
 }
 
 // Samples that are singular and belong to no crossing.
@@ -73,13 +87,8 @@ std::string sentence(const Analysis& a, const Crossing& c) {
       c.lasts()   ? fmt::format("From t = {} to t = {}", time(c.time), time(c.until))
       : at_sample ? fmt::format("At the sample t = {}", time(c.time))
                   : fmt::format("Between t = {} and t = {}", show_time(a, c.before), show_time(a, std::min(c.before + 1, a.samples() - 1)));
-  const bool surface = c.what == What::surface || c.what == What::pole;
-  return fmt::format("{} the motion {} a singular{}: {}{}. {}", when,
-                     c.lasts()   ? "stays on"
-                     : !surface  ? "meets"
-                     : c.touches ? "touches"
-                                 : "crosses",
-                     surface ? " surface" : "ity", signs_of(c), at_sample || c.lasts() ? "" : " at t = " + time(c.time), meaning(c.what));
+  return fmt::format("{} the motion {} {}: {}{}. {}", when, does(c), place(c), signs_of(c),
+                     at_sample || c.lasts() ? "" : " at t = " + time(c.time), meaning(c.what));
 }
 
 std::vector<std::string> singularity_sentences(const Analysis& a) {
@@ -87,15 +96,30 @@ std::vector<std::string> singularity_sentences(const Analysis& a) {
     return {
         "The architecture is singular at every pose: the wrenches of the limbs on the platform depend on one another at home and wherever "
         "else it was looked at, so that the actuators hold the platform nowhere, and forces and assembly modes have no meaning."};
+  std::vector<std::vector<Crossing>> alike;
+  for (const Crossing& c : a.crossings()) {
+    const auto same = [&](const std::vector<Crossing>& all) { return all.front().what == c.what && all.front().touches == c.touches; };
+    const auto found = std::ranges::find_if(alike, same);
+    (found != alike.end() ? *found : alike.emplace_back()).push_back(c);
+  }
   std::vector<std::string> out;
-  const std::vector<Crossing>& crossings = a.crossings();
-  for (std::size_t i = 0; i < std::min(most_told, crossings.size()); ++i) out.push_back(sentence(a, crossings[i]));
-  if (crossings.size() > most_told)
-    out.push_back(fmt::format("The motion meets singularities {} more times, the last at t = {} s.", crossings.size() - most_told,
-                              format_number(crossings.back().time, 7)));
-  for (const SampleRun& run : singular_runs(a))
-    out.push_back(fmt::format("t = {}{}: the pose is singular: {}; forces have no value there.", show_time(a, run.first),
-                              run.first == run.last ? "" : " to " + show_time(a, run.last), a.why(run.first)));
+  for (const std::vector<Crossing>& all : alike)
+    if (all.size() > few)
+      out.push_back(many(all));
+    else
+      for (const Crossing& c : all) out.push_back(sentence(a, c));
+  const std::vector<SampleRun> runs = singular_runs(a);
+  if (runs.size() > few) {
+    int samples = 0;
+    for (const SampleRun& run : runs) samples += run.last - run.first + 1;
+    out.push_back(
+        fmt::format("The pose is singular at {} of {} samples, in {} intervals between {}; forces have no value there; at the first: {}.",
+                    samples, a.samples(), runs.size(), span_of(a, runs.front().first, runs.back().last), a.why(runs.front().first)));
+    return out;
+  }
+  for (const SampleRun& run : runs)
+    out.push_back(
+        fmt::format("{}: the pose is singular: {}; forces have no value there.", span_of(a, run.first, run.last), a.why(run.first)));
   return out;
 }
 

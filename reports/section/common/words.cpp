@@ -1,5 +1,9 @@
 #include <reports/section/common/words.hpp>
 
+#include <core/text/digits.hpp>
+#include <core/text/text.hpp>
+#include <reports/section/common/noise.hpp>
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -12,6 +16,16 @@ std::string show(double si, std::string_view unit, int digits) {
   const DisplayUnit d = display_unit(unit, std::abs(si));
   const std::string number = typeset(format_number(si * d.per_si, digits));
   return d.label.empty() ? number : d.label == "°" ? number + "°" : number + " " + d.label;
+}
+
+Apart show_apart(double value, double beside, std::string_view unit, int digits) {
+  constexpr int digits_of_difference = 2;
+  const double largest = std::max(std::abs(value), std::abs(beside));
+  const DisplayUnit d = display_unit(unit, largest);
+  const std::vector<std::string> both =
+      format_together({value * d.per_si, beside * d.per_si}, digits, digits_of_difference, noise_of(largest) * d.per_si);
+  const std::string behind = d.label.empty() || d.label == "°" ? d.label : " " + d.label;
+  return {typeset(both[0]) + behind, typeset(both[1]) + behind};
 }
 
 std::string show_time(const Analysis& a, int sample) {
@@ -57,33 +71,88 @@ std::string plural(int n, const std::string& singular, const std::string& many) 
   return fmt::format("{} {}", n, n == 1 ? singular : many.empty() ? singular + "s" : many);
 }
 
-namespace {
 std::string span_of(const Analysis& a, int first, int last) {
   return first == last ? "t = " + show_time(a, first) : "t = " + show_time(a, first) + " to " + show_time(a, last);
 }
+
+namespace {
+
+// "l" and 12 of "l12"; a name without a number has none.
+std::pair<std::string, int> counted(const std::string& name) {
+  const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+  if (digits == name.size() || name.size() - digits > 6) return {name, -1};
+  return {name.substr(0, digits), std::stoi(name.substr(digits))};
+}
+
 }  // namespace
 
-std::string sentence(const Analysis& a, const LimitBreach& b) {
-  const std::string what = b.stroke ? fmt::format("its stroke {} at {}", b.above ? "ends" : "begins", show(b.limit, b.unit))
-                                    : fmt::format("its limit is {}", show(b.limit, b.unit));
-  std::string s =
-      fmt::format("{}: {} needs {}, {}", span_of(a, b.samples.front(), b.samples.back()), b.subject, show(b.value, b.unit), what);
-  if (b.samples.size() > 1)
-    s += fmt::format(" (worst at t = {}, {})", show_time(a, b.worst), plural(static_cast<int>(b.samples.size()), "sample"));
-  return s + ".";
+std::string names_of(std::vector<std::string> names) {
+  std::stable_sort(names.begin(), names.end(), [](const auto& x, const auto& y) { return counted(x) < counted(y); });
+  std::vector<std::string> out;
+  for (std::size_t first = 0; first < names.size();) {
+    std::size_t last = first;
+    const auto [stem, number] = counted(names[first]);
+    while (last + 1 < names.size() && number >= 0 &&
+           counted(names[last + 1]) == std::pair(stem, number + static_cast<int>(last + 1 - first)))
+      ++last;
+    if (last - first < 2) last = first;
+    out.push_back(last == first ? names[first] : names[first] + " to " + names[last]);
+    first = last + 1;
+  }
+  return listed(out);
 }
+
+namespace {
+
+constexpr std::size_t few = 3;  // of a sort are told one by one
+
+std::string reach_sentence(const Analysis& a, const SampleRun& run) {
+  return fmt::format("{}: the mechanism cannot be assembled ({}): {}.", span_of(a, run.first, run.last),
+                     plural(run.last - run.first + 1, "sample"), a.why(run.first));
+}
+
+std::string many_runs(const Analysis& a, const std::vector<SampleRun>& runs) {
+  int samples = 0;
+  for (const SampleRun& r : runs) samples += r.last - r.first + 1;
+  return fmt::format("The mechanism cannot be assembled at {} of {} samples, in {} intervals between t = {} and t = {}; at the first: {}.",
+                     samples, a.samples(), runs.size(), show_time(a, runs.front().first), show_time(a, runs.back().last),
+                     a.why(runs.front().first));
+}
+
+}  // namespace
 
 std::vector<std::string> reach_sentences(const Analysis& a) {
   std::vector<std::string> out;
-  const mechanics::Trajectory& motion = a.trajectory();
+  std::vector<SampleRun> apart;  // those in which the motion goes on
   for (const SampleRun& i : a.unreachable())
-    if (!motion.value.row(i.first).allFinite())
-      out.push_back(fmt::format("The motion {}. {} from {} have no pose.", motion.ending, plural(i.last - i.first + 1, "sample"),
+    if (!a.trajectory().value.row(i.first).allFinite())
+      out.push_back(fmt::format("The motion {}. {} from {} have no pose.", a.trajectory().ending, plural(i.last - i.first + 1, "sample"),
                                 span_of(a, i.first, i.last)));
     else
-      out.push_back(fmt::format("{}: the mechanism cannot be assembled ({}): {}.", span_of(a, i.first, i.last),
-                                plural(i.last - i.first + 1, "sample"), a.why(i.first)));
+      apart.push_back(i);
+  if (apart.size() > few) {
+    out.push_back(many_runs(a, apart));
+    return out;
+  }
+  for (const SampleRun& i : apart) out.push_back(reach_sentence(a, i));
   return out;
+}
+
+std::string why_nothing(const Analysis& a) {
+  const int unreachable = a.count(Outcome::unreachable), singular = a.count(Outcome::singular);
+  if (a.samples() == 0) return "there is no motion";
+  const auto why = [&](Outcome outcome) {
+    int k = 0;
+    while (a.outcome(k) != outcome) ++k;
+    return a.why(k).empty() ? "" : " (" + a.why(k) + ")";
+  };
+  if (unreachable == a.samples()) return "no sample can be assembled" + why(Outcome::unreachable);
+  if (singular == a.samples()) return "every sample is singular" + why(Outcome::singular);
+  std::vector<std::string> parts;
+  if (unreachable > 0)
+    parts.push_back(fmt::format("{} of {} samples cannot be assembled{}", unreachable, a.samples(), why(Outcome::unreachable)));
+  if (singular > 0) parts.push_back(fmt::format("{} of {} samples are singular{}", singular, a.samples(), why(Outcome::singular)));
+  return parts.empty() ? "it could not be computed at any sample" : listed(parts);
 }
 
 }  // namespace pmreport::section

@@ -12,6 +12,11 @@ namespace pmreport::section {
 
 // "812.4 mm": an SI value in the unit that reads best at its size.
 std::string show(double si, std::string_view unit, int digits = 4);
+// Two values that are told beside each other, in one unit and with the digits that set them apart: "1200.06 mm", "1200.00 mm".
+struct Apart {
+  std::string value, beside;
+};
+Apart show_apart(double value, double beside, std::string_view unit, int digits = 4);
 // "1.32 s", with as many decimals as the samples of the motion need.
 std::string show_time(const Analysis& a, int sample);
 // "l₁", "α", "ρ₃": a name of the program as a symbol of the field.
@@ -22,9 +27,14 @@ std::string typeset(std::string number);
 std::string typographic(std::string_view unit);
 std::string plural(int n, const std::string& singular, const std::string& many = "");  // "1 sample", "12 samples"
 
-// "t = 1.32 s to 2.10 s: l3 (length of limb 3) needs 812.4 mm, its stroke ends at 800.0 mm (worst at t = 1.64 s, 40 samples)".
-std::string sentence(const Analysis& a, const LimitBreach& b);
-// "t = 3.1 s to 3.4 s: cannot be assembled: ..." for each run of unreachable samples.
+// "t = 0.3 s", "t = 0.3 s to 0.42 s": from one sample to another.
+std::string span_of(const Analysis& a, int first, int last);
+// "l1 to l6", "A1, A3 and B2": in order, those that count on told by their ends.
+std::string names_of(std::vector<std::string> names);
+
+// "t = 3.1 s to 3.4 s: the mechanism cannot be assembled ...": each run of unreachable samples, many alike in one sentence.
 std::vector<std::string> reach_sentences(const Analysis& a);
+// Why nothing could be computed at any sample, or at too few: "no sample can be assembled (the feeler is too short)".
+std::string why_nothing(const Analysis& a);
 
 }  // namespace pmreport::section

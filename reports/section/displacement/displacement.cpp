@@ -1,5 +1,6 @@
 // Section `displacement`.
 #include <reports/section/common/kinematic_plots.hpp>
+#include <reports/section/common/limits.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/displacement/displacement.hpp>
 #include <reports/section/displacement/prescribed.hpp>
@@ -35,7 +36,8 @@ void add_joints(figure::Figure& f, const Analysis& a) {
 Result displacement_section(const Analysis& a) {
   Section s{"displacement", "displacement", "Displacement", {}};
   for (const std::string& line : reach_sentences(a)) s.blocks.push_back(Paragraph{Paragraph::Tone::warning, line});
-  for (const LimitBreach& b : a.breaches()) s.blocks.push_back(Paragraph{Paragraph::Tone::warning, sentence(a, b)});
+  for (const std::string& line : breach_sentences(a)) s.blocks.push_back(Paragraph{Paragraph::Tone::warning, line});
+  if (a.breaches().size() > 1) s.blocks.push_back(breach_table(a));
 
   const Topology& t = a.machine().topology();
   std::string dependent;

@@ -61,7 +61,7 @@ figure::Figure torque_figure(const Analysis& a) {
     const bool keys = f.panels.empty();
     figure::Panel p = share_panel(a, symbol(actuators(a)[i].name), "torque", "N*m",
                                   {{column, "drive", load_style}, {column, "rotor", inertia_style}, {column, "sum", total_style}}, keys);
-    const double per_si = display_unit("N*m", a.largest({column})).per_si;
+    const double per_si = unit_of(a, "N*m", {{column, ""}}).per_si;
     const std::vector<double> drive = passed_on(a, i);
     for (std::size_t k = 0; k < drive.size(); ++k) {
       p.series[0].y[k] = drive[k] * per_si;
@@ -79,7 +79,7 @@ figure::Figure plane_figure(const Analysis& a) {
                    figure::Width::full,
                    1,
                    {}};
-  const DisplayUnit torque = display_unit("N*m", a.largest(columns_of(of_actuators(a, OfActuator::motor_torque))));
+  const DisplayUnit torque = unit_of(a, "N*m", of_actuators(a, OfActuator::motor_torque));
   figure::Panel p;
   p.title = "torque against speed";
   p.x = {"motor speed", "rpm"};

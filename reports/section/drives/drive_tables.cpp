@@ -36,12 +36,13 @@ struct Numbers {
   std::vector<double> values;
 };
 
-document::Table table_of(const std::string& caption, const std::vector<std::string>& names, const std::vector<Numbers>& columns) {
+document::Table table_of(const Analysis& a, const std::string& caption, const std::vector<std::string>& names,
+                         const std::vector<Numbers>& columns) {
   document::Table table{caption, {"actuator"}, {false}, std::vector<std::vector<std::string>>(names.size())};
   for (std::size_t r = 0; r < names.size(); ++r) table.rows[r].push_back(names[r]);
   for (const Numbers& n : columns) {
     const bool share = n.unit == "%", speed = n.unit == "rpm";
-    const TableColumn column(n.title, share || speed ? "" : n.unit, n.values);
+    const TableColumn column(a, n.title, share || speed ? "" : n.unit, n.values);
     table.headings.push_back(share || speed ? fmt::format("{} [{}]", n.title, n.unit) : column.heading());
     table.numeric.push_back(true);
     for (std::size_t r = 0; r < names.size(); ++r)
@@ -94,6 +95,7 @@ std::vector<document::Table> drive_tables(const Analysis& a) {
     const auto roots = [&](OfActuator what) { return reduced(what, [&](const ColumnId& column) { return rms(a, column); }); };
     const auto back = [&](OfActuator what) { return reduced(what, [&](const ColumnId& column) { return given_back(a, column); }); };
     out.push_back(table_of(
+        a,
         fmt::format(
             "Drives: largest {} and power by magnitude, root mean square, energy that comes back through the drive, share of the samples "
             "in which it is driven back.",
@@ -114,13 +116,13 @@ std::vector<document::Table> drive_tables(const Analysis& a) {
     };
     std::vector<Numbers> reflected{{"least", word_of(unit), inertia(false)}, {"most", word_of(unit), inertia(true)}};
     if (any_motor(a)) {
-      out.push_back(
-          table_of("Motors: largest torque, speed and power by magnitude, root mean square of the torque, energy that comes back.", names,
-                   {{"peak torque", "N*m", of(OfActuator::motor_torque)},
-                    {"RMS torque", "N*m", roots(OfActuator::motor_torque)},
-                    {"peak speed", "rpm", of(OfActuator::motor_speed)},
-                    {"peak power", "W", of(OfActuator::motor_power)},
-                    {"regenerated", "J", back(OfActuator::motor_power)}}));
+      out.push_back(table_of(
+          a, "Motors: largest torque, speed and power by magnitude, root mean square of the torque, energy that comes back.", names,
+          {{"peak torque", "N*m", of(OfActuator::motor_torque)},
+           {"RMS torque", "N*m", roots(OfActuator::motor_torque)},
+           {"peak speed", "rpm", of(OfActuator::motor_speed)},
+           {"peak power", "W", of(OfActuator::motor_power)},
+           {"regenerated", "J", back(OfActuator::motor_power)}}));
       const auto at_motor = [&](std::size_t i, const Actuator& actuator) {
         double most = nan;
         for (const double x : a.column(column_of(actuator, OfActuator::reflected_inertia))) most = std::fmax(most, x);
@@ -135,7 +137,7 @@ std::vector<document::Table> drive_tables(const Analysis& a) {
                            })});
     }
     out.push_back(
-        table_of("Inertia of the mechanism that each actuator feels along the motion, the other actuators held.", names, reflected));
+        table_of(a, "Inertia of the mechanism that each actuator feels along the motion, the other actuators held.", names, reflected));
   }
   return out;
 }

@@ -41,7 +41,7 @@ figure::Figure force_figure(const Analysis& a) {
     const std::vector<Trace> curves = of_actuators(a, OfActuator::dynamic_force, unit);
     if (curves.empty()) continue;
     figure::Panel p = panel(a, "actuator " + effort(unit) + "s", effort(unit), effort_unit(unit), curves);
-    add_limit_lines(p, a, a.scenario().limits.force, unit, display_unit(effort_unit(unit), a.largest(columns_of(curves))).per_si);
+    add_limit_lines(p, a, a.scenario().limits.force, unit, unit_of(a, effort_unit(unit), curves).per_si);
     if (!p.lines.empty()) f.caption += " Lines: the limits of the scenario.";
     f.panels.push_back(std::move(p));
   }
@@ -76,7 +76,7 @@ figure::Figure power_figure(const Analysis& a) {
       {}};
   const std::vector<Trace> powers = of_actuators(a, OfActuator::power);
   figure::Panel each = panel(a, "power of the actuators", "power", "W", powers);
-  add_limit_lines(each, a, a.scenario().limits.power, "", display_unit("W", a.largest(columns_of(powers))).per_si);
+  add_limit_lines(each, a, a.scenario().limits.power, "", unit_of(a, "W", powers).per_si);
   f.panels.push_back(std::move(each));
   std::vector<Share> sums{{column_of(OfMachine::total_power), "actuators", total_style}};
   if (const ColumnId load = column_of(OfMachine::load_power); a.largest({load}) > 0) sums.push_back({load, "load", load_style});
@@ -126,7 +126,7 @@ document::Table actuator_table(const Analysis& a, const std::optional<analysis::
   const auto column = [&](const std::string& title, const std::string& si, auto&& value) {
     std::vector<double> values;
     for (const Row& r : rows) values.push_back(value(r));
-    return TableColumn(title, si, values);
+    return TableColumn(a, title, si, values);
   };
   const std::string word = effort(unit), si = effort_unit(unit);
   const TableColumn force = column("peak", si, [](const Row&r) { return r.force.value; }),

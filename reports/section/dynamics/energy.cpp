@@ -19,6 +19,8 @@ constexpr double telling = 1e-4;
 // Of all that flows: what nobody reads as the regained work.
 constexpr double legible = 1e-3;
 
+constexpr const char* work_becomes_energy = "Work becomes energy";
+
 Paragraph note(const std::string& text) { return {Paragraph::Tone::note, text}; }
 
 std::string share(double x) { return typeset(format_number(x, 2)); }
@@ -27,11 +29,13 @@ std::string share(double x) { return typeset(format_number(x, 2)); }
 
 EnergyEvidence energy_evidence(const Analysis& a, const std::optional<analysis::MotionWork>& work) {
   EnergyEvidence out;
+  const auto not_examined = [&](const char* claim, const std::string& why) {
+    out.lines.push_back(document::Evidence::not_examined(claim, "", why));
+  };
   if (a.worst(Measure::power_balance).compared == 0)
-    out.notes.push_back(
-        note("Power becomes energy: not examined. Around no sample is the energy smooth enough along the motion to be differenced."));
+    not_examined("Power becomes energy", "around no sample is the energy smooth enough along the motion to be differenced");
   if (!work) {
-    out.notes.push_back(note("Work becomes energy: not examined. The motion meets a singular surface, or no stretch of it has forces."));
+    not_examined(work_becomes_energy, "the motion meets a singular surface, or no stretch of it has forces");
     return out;
   }
   const double scale = work->flow > 0 ? work->flow : 1, open = work->uncertainty / scale;
@@ -40,24 +44,22 @@ EnergyEvidence energy_evidence(const Analysis& a, const std::optional<analysis::
         note(fmt::format("The regained work is good to {} alone: the powers change their signs more often than is looked at.",
                          show(work->regenerated_uncertainty, "J", 2))));
   if (a.scenario().motion->by_forces()) return out;
-  const std::string undecided = "Work becomes energy: not examined. ";
   if (!work->whole) {
-    out.notes.push_back(note(undecided + "Not all of the motion has forces."));
+    not_examined(work_becomes_energy, "not all of the motion has forces");
     return out;
   }
   if (count_jumps(a) > 0) {
-    out.notes.push_back(note(undecided + "Values or rates of the motion jump: what that takes or gives no power tells."));
+    not_examined(work_becomes_energy, "values or rates of the motion jump: what that takes or gives no power tells");
     return out;
   }
   const double lost = std::abs(work->work() + work->load - work->stored) / scale, kept = std::abs(work->work() + work->load) / scale;
   if (!(open <= telling)) {
-    out.notes.push_back(
-        note(fmt::format("Work becomes energy: not decided. They differ by {} of all that flowed, and the work is known to {} of it alone.",
-                         share(lost), share(open))));
+    not_examined(work_becomes_energy,
+                 fmt::format("they differ by {} of all that flowed, and the work is known to {} of it alone", share(lost), share(open)));
     return out;
   }
   out.lines.push_back(
-      {"Work becomes energy",
+      {work_becomes_energy,
        "work of actuators and load, added up between the samples too, against kinetic and potential energy at the end less those at the "
        "start; relative to all that flowed. The tolerance is what integration and rounding leave open",
        lost, open, ""});

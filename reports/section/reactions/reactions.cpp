@@ -149,7 +149,7 @@ class JointFigure {
                                                               : "beside the limbs",
                             word, unit, curves);
     set_styles(p, joints);
-    add_limits(p, joints, display_unit(unit, a_.largest(columns_of(curves))).per_si);
+    add_limits(p, joints, unit_of(a_, unit, curves).per_si);
     return p;
   }
 
@@ -207,8 +207,7 @@ Result reactions_section(const Analysis& a, const ReactionsOptions& request) {
     s.blocks.push_back(Paragraph{tone, text});
   };
   for (const std::string& line : singularity_sentences(a)) tell(line, Paragraph::Tone::warning);
-  for (const LimitBreach& b : limit_breaches(a))
-    if (b.subject.find(" in joint ") != std::string::npos) tell(limit_sentence(a, b), Paragraph::Tone::warning);
+  for (const std::string& line : joint_limit_sentences(a)) tell(line, Paragraph::Tone::warning);
 
   const std::vector<int> spread = samples_with_forces(a, 5);
   if (spread.empty()) {

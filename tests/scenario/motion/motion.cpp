@@ -167,7 +167,7 @@ TEST_CASE("a file of motion that says nothing sound is refused with its line and
         "motion.csv:6:3: error: expected a number, seen an empty cell\n  4,\n    ^");
   CHECK_THAT(tell("t [s], x\n0, 0\n"),
              Contains("motion.csv:1:8: error: expected a name with its unit in brackets (e.g. \"t [s]\"), seen \"x\""));
-  CHECK_THAT(tell("t [s], x [mmm]\n0, 0\n"), Contains("unknown unit in \"x [mmm]\""));
+  CHECK_THAT(tell("t [s], x [mmm]\n0, 0\n"), Contains("unknown unit \"mmm\" in \"x [mmm]\"; did you mean \"mm\"?"));
   CHECK_THAT(tell("t [s], x [deg]\n0, 0\n1, 1\n"), Contains("expected a length in column x, seen the unit \"deg\" of an angle"));
   CHECK_THAT(tell("t [s], xx [mm]\n0, 0\n1, 1\n"), Contains("unknown column \"xx\"; did you mean \"x\"?"));
   CHECK_THAT(tell("t [s], x [mm], x [mm]\n0, 0, 0\n1, 1, 0\n"), Contains("column x stands here twice"));

@@ -1,0 +1,14 @@
+// Curves far apart that each move little: drawn from an offset each, so that all of them can be seen to move.
+#pragma once
+
+#include <reports/figure/figure.hpp>
+
+namespace pmreport::figure {
+
+// A position of x, y around 0 and z around 66 mm that all move by some µm is three flat lines on one axis. Where no curve of a panel would
+// be higher than a small share of it, each is drawn less a round number near its middle, which its label tells: "z − 66 mm". Not where a
+// line or a map shares the axis, nor where a curve has no label to say so.
+Panel set_off(const Panel& panel);
+Figure set_off(const Figure& figure);  // every panel
+
+}  // namespace pmreport::figure
