@@ -21,6 +21,7 @@ constexpr const char* repair = "correct the declaration and build the plugin aga
 constexpr std::size_t table_size = PM_SIZE_TO(pm_plugin_table, mechanisms);
 constexpr std::size_t mechanism_size = PM_SIZE_TO(pm_mechanism, appearance);
 constexpr std::size_t parameter_size = PM_SIZE_TO(pm_parameter, choice_count);
+constexpr std::size_t unless_end = PM_SIZE_TO(pm_parameter, unless);
 constexpr std::size_t kinematics_size = PM_SIZE_TO(pm_kinematics, place);
 constexpr std::size_t statics_size = PM_SIZE_TO(pm_statics, jacobian);
 constexpr std::size_t dynamics_size = PM_SIZE_TO(pm_dynamics, inertias);
@@ -91,6 +92,12 @@ void require_parameters(const std::string& where, const pm_list& list) {
       refuse(where, fmt::format("a name of lower-case letters, digits and underscores for parameter {}", i + 1), quoted(p.name), repair);
     if (!names.insert(p.name).second) refuse(where, "parameters of different names", fmt::format("{} twice", quoted(p.name)), repair);
     require_parameter(fmt::format("{}: parameter '{}'", where, p.name), p);
+  }
+  if (list.stride < unless_end) return;
+  for (std::size_t i = 0; i < list.count; ++i) {
+    const auto& p = *reinterpret_cast<const pm_parameter*>(static_cast<const char*>(list.items) + i * list.stride);
+    if (p.unless != nullptr && (!names.contains(p.unless) || p.unless == std::string_view(p.name)))
+      refuse(fmt::format("{}: parameter '{}'", where, p.name), "another parameter that stands in its place", quoted(p.unless), repair);
   }
 }
 

@@ -28,6 +28,8 @@ std::variant<Options, int> read_command_line(int argc, char** argv) {
   check_command->add_option("name", options.names, "mechanisms, or the paths of plugin libraries");
   check_command->add_flag("--all", options.check_all, "every mechanism found");
   check_command->add_option("--poses", options.poses, "random poses (default 1000)")->check(CLI::Range(0, 1000000));
+  check_command->add_option("--parameters", options.parameters, "of the mechanism, as in a scenario: 'base_radius = \"400 mm\", ...'");
+  check_command->add_option("--scenario", options.setting, "a scenario, whose mechanism, parameters and motion are checked");
   CLI::App* new_command = app.add_subcommand("new", "begin something of one's own")->require_subcommand(1);
   CLI::App* new_mechanism_command = new_command->add_subcommand("mechanism", "write a folder with a small mechanism that builds and runs");
   new_mechanism_command->add_option("name", name, "of the mechanism: lower-case letters, digits, dashes")->required();

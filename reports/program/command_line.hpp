@@ -27,6 +27,7 @@ struct Options {
   std::vector<std::string> names;
   bool check_all = false;
   int poses = 1000;
+  std::string parameters, setting;  // of the one to check: as in a scenario's table; the scenario that sets them
   std::string folder;  // of a new mechanism
 };
 

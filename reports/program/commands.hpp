@@ -2,6 +2,7 @@
 #pragma once
 
 #include <core/host/catalog.hpp>
+#include <core/scenario/loaded.hpp>
 #include <reports/document/write.hpp>
 #include <reports/program/command_line.hpp>
 
@@ -24,5 +25,8 @@ void tell_refused(const host::Catalog& catalog);
 
 // A mechanism by its name, or those of a library file given by its path. Throws host::PluginError when there is none.
 std::vector<const pm_mechanism*> mechanisms_named(const host::Catalog& catalog, const std::string& name);
+
+// Where scenarios find their mechanism. `catalog` must live as long.
+scenario::MechanismSource source_of(const host::Catalog& catalog);
 
 }  // namespace pmreport::program

@@ -18,6 +18,16 @@ std::vector<const pm_mechanism*> mechanisms_named(const host::Catalog& catalog, 
   throw host::PluginError(fmt::format("no mechanism is called '{}'; known: {}", name, known.empty() ? "none" : known));
 }
 
+scenario::MechanismSource source_of(const host::Catalog& catalog) {
+  scenario::MechanismSource source;
+  source.find = [&catalog](const std::string& name) {
+    const host::Entry* entry = catalog.find(name);
+    return entry != nullptr ? entry->mechanism : nullptr;
+  };
+  for (const host::Entry& e : catalog.entries()) source.names.push_back(e.name);
+  return source;
+}
+
 int list(const Options& options) {
   const host::Catalog catalog(host::search_folders(options.plugin_path));
   tell_refused(catalog);

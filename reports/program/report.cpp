@@ -14,16 +14,6 @@ namespace pmreport::program {
 
 namespace {
 
-scenario::MechanismSource source_of(const host::Catalog& catalog) {
-  scenario::MechanismSource source;
-  source.find = [&catalog](const std::string& name) {
-    const host::Entry* entry = catalog.find(name);
-    return entry != nullptr ? entry->mechanism : nullptr;
-  };
-  for (const host::Entry& e : catalog.entries()) source.names.push_back(e.name);
-  return source;
-}
-
 // Verdict, failures, and where the report is.
 void print_verdict(const document::Report& report, const std::string& folder) {
   int checks = 0, failed = 0, proofs = 0, not_examined = 0;

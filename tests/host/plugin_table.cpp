@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <core/host/plugin_file.hpp>
 #include <core/host/plugin_table.hpp>
+#include <cstring>
 #include <functional>
 #include <limits>
 
@@ -25,9 +26,9 @@ struct Table {
   std::array<double, 1> word{1};
   std::array<const char*, 2> words{"x", "y"};
   std::array<pm_parameter, 3> parameters{{
-      {"base_radius", "radius", "m", "mm", PM_NUMBER, radius.data(), 1, 0.01, 100, 1, 1, nullptr, 0, 0},
-      {"axis", "axis", "", "", PM_NUMBERS, axis.data(), 3, -1, 1, 3, 6, nullptr, 0, 0},
-      {"dependent", "which", "", "", PM_CHOICE, word.data(), 1, 0, 1, 1, 1, words.data(), 2, 0},
+      {"base_radius", "radius", "m", "mm", PM_NUMBER, radius.data(), 1, 0.01, 100, 1, 1, nullptr, 0, 0, nullptr},
+      {"axis", "axis", "", "", PM_NUMBERS, axis.data(), 3, -1, 1, 3, 6, nullptr, 0, 0, nullptr},
+      {"dependent", "which", "", "", PM_CHOICE, word.data(), 1, 0, 1, 1, 1, words.data(), 2, 0, nullptr},
   }};
   pm_kinematics kinematics{sizeof(pm_kinematics), topology, numbers};
   pm_statics statics{sizeof(pm_statics), listing, numbers};
@@ -86,6 +87,19 @@ TEST_CASE("a mechanism of version 1.0, which ends before the closed forms, is so
   Table t;
   t.mechanism.struct_size = offsetof(pm_mechanism, closed_forms);
   t.mechanism.closed_forms = reinterpret_cast<const pm_closed_forms*>(1);  // would crash whoever looks
+  CHECK(judgement(t) == "sound");
+}
+
+TEST_CASE("a parameter may give way to another, and in version 1.1, which does not know that, what follows is not read") {
+  Table t;
+  t.number().unless = "axis";
+  CHECK(judgement(t) == "sound");
+  struct Shorter {
+    char bytes[offsetof(pm_parameter, unless)];
+  };
+  std::array<Shorter, 3> shorter{};
+  for (std::size_t i = 0; i < 3; ++i) std::memcpy(&shorter[i], &t.parameters[i], sizeof(Shorter));
+  t.mechanism.parameters = {shorter.data(), shorter.size(), sizeof(Shorter)};
   CHECK(judgement(t) == "sound");
 }
 
@@ -155,6 +169,9 @@ TEST_CASE("one fault makes a table unsound, and the sentence names it") {
       {"digits and underscores for parameter 2, seen nothing", [](Table& t) { t.list().name = nullptr; }},
       {"digits and underscores for parameter 2, seen 'base-radius'", [](Table& t) { t.list().name = "base-radius"; }},
       {"parameters of different names, seen 'base_radius' twice", [](Table& t) { t.list().name = "base_radius"; }},
+      {"parameter 'base_radius': expected another parameter that stands in its place, seen 'points'",
+       [](Table& t) { t.number().unless = "points"; }},
+      {"parameter 'axis': expected another parameter that stands in its place, seen 'axis'", [](Table& t) { t.list().unless = "axis"; }},
       {"parameter 'axis': expected a title", [](Table& t) { t.list().title = nullptr; }},
       {"a unit", [](Table& t) { t.list().unit = nullptr; }},
       {"a display unit", [](Table& t) { t.list().display = nullptr; }},

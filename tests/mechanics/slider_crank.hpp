@@ -30,7 +30,7 @@ class SliderCrank : public Mechanism<1> {
     const double about_k = fault("inertia") ? -0.9 : 0.004;
     t.platform = t.add(Body{"crank", 0, false, {0.8, {0.1, 0, 0.02}, Eigen::Vector3d(0.001, 0.004, about_k).asDiagonal()}});
     t.add(Body{"rod", 0, true, Inertia::axisymmetric(0.5, 0.25, 0.01, 1e-4)});
-    t.add(Body{"slider", 0, false, {fault("mass") ? -1e-3 : 1.2, {0, 0.03, 0}, {}}});
+    t.add(Body{"slider", 0, false, {fault("mass") ? -1e-3 : 1.2, {0, 0.03, 0}, Eigen::Matrix3d::Zero()}});
     t.add(Joint{"O", JointKind::revolute, 0, crank, {}});
     t.add(Joint{"B", JointKind::spherical, crank, rod, {}});
     t.add(Joint{"C", JointKind::spherical, rod, slider, {}, rod});

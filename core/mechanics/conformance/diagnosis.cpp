@@ -1,4 +1,5 @@
 #include <core/mechanics/conformance/diagnosis.hpp>
+#include <core/mechanics/conformance/wrench_properties.hpp>
 
 #include <core/linear/singular_values.hpp>
 #include <core/mechanics/model/constraint_scale.hpp>
@@ -157,6 +158,47 @@ std::string about_mobility(const Machine& machine, const State& state, const Mob
   if (ways == 1) out += fmt::format(", the platform can {}", motion_in_words(platform.vectors.col(0)));
   return out + (ways > 0 ? ": a coordinate with its actuator is missing, or a joint or a limb, or a joint allows too much"
                          : ": a joint is missing, or allows too much");
+}
+
+std::string about_singular_home(const Machine& machine, const LockedFreedoms& freedoms, bool everywhere) {
+  std::string out = everywhere ? "home is singular, and so is every other pose that was tried: such an architecture is no machine"
+                               : "home is on a singular surface";
+  if (freedoms.free > machine.dof())
+    out += fmt::format("; with every actuator free the platform has {} freedoms there, not {}", freedoms.free, machine.dof());
+  if (freedoms.platform == 1)
+    out += fmt::format("; with every actuator held the platform can {}", motion_in_words(freedoms.escapes.basis.col(0)));
+  if (freedoms.platform > 1) out += fmt::format("; with every actuator held the platform has {} freedoms", freedoms.platform);
+  if (freedoms.actuators > 0) out += "; with the platform held an actuator can still move: the end of its reach";
+  return out + (everywhere ? "" : "; choose another home, or other sizes");
+}
+
+std::string about_singular_jacobian(const Machine& machine, const Matrix6d& jacobian) {
+  if (!jacobian.allFinite()) return "the overall Jacobian has no finite value at home, though the joints hold the platform there";
+  for (int row = 0; row < 6; ++row)
+    if (jacobian.row(row).isZero()) return about_row(machine, row) + " is zero at home; does jacobian fill it?";
+  return "the rows of the overall Jacobian depend on one another at home, though the joints hold the platform there; is a row given twice?";
+}
+
+std::string about_wrench(const Machine& machine, const Matrix6d& jacobian, int row) {
+  const Constraint& c = machine.topology().constraints[static_cast<std::size_t>(row - machine.dof())];
+  const double force = jacobian.row(row).head<3>().norm(), moment = jacobian.row(row).tail<3>().norm();
+  const std::string which = about_row(machine, row);
+  if (force == 0 && moment == 0) return which + " is zero; does jacobian fill it?";
+  if (c.sense() == Sense::linear && force == 0)
+    return fmt::format("{} is a couple, though {} is declared in N: are the rows in the order of the constraints?", which, c.name);
+  if (c.sense() == Sense::linear)
+    return fmt::format("{} has a force of {:.4g} where a unit wrench has 1: 1 N of it would be told as {:.4g} N", which, force, 1 / force);
+  if (moment == 0) return fmt::format("{} has no moment, though {} is declared in N*m", which, c.name);
+  return fmt::format("{} has a moment of {:.4g} where a unit wrench in N*m has 1{}", which, moment,
+                     force > 0 ? fmt::format(", and a force of {:.4g}: are the rows in the order of the constraints?", force)
+                               : fmt::format(": 1 N*m of it would be told as {:.4g} N*m", 1 / moment));
+}
+
+std::string about_limb_wrench(const Machine& machine, int row) {
+  const Constraint& c = machine.topology().constraints[static_cast<std::size_t>(row - machine.dof())];
+  return fmt::format(
+      "{} does work on what limb {} allows the platform, which its title names: are the rows in the order of the constraints?",
+      about_row(machine, row), limb_named(c));
 }
 
 }  // namespace pmreport::mechanics

@@ -2,7 +2,7 @@
 // mistake. They cost more than the test that failed, and are asked for only then.
 #pragma once
 
-#include <core/mechanics/mobility/mobility_count.hpp>
+#include <core/mechanics/singularity/singularity.hpp>
 
 #include <string>
 
@@ -26,5 +26,14 @@ std::string about_drive(const Machine& machine, const State& state, int actuator
 std::string about_row(const Machine& machine, int row);
 // Mobility found at a state is not the declared one: what still moves when every actuator is held.
 std::string about_mobility(const Machine& machine, const State& state, const Mobility& found);
+
+// Home is singular, `freedoms` there; `everywhere`: so are other poses that were tried.
+std::string about_singular_home(const Machine& machine, const LockedFreedoms& freedoms, bool everywhere);
+// The mechanism is regular at home, but the overall Jacobian G there is not.
+std::string about_singular_jacobian(const Machine& machine, const Matrix6d& jacobian);
+// Row `row` of G, a constraint's, is no unit wrench of the kind that its unit declares.
+std::string about_wrench(const Machine& machine, const Matrix6d& jacobian, int row);
+// It does work on what the limb that it names lets the platform do.
+std::string about_limb_wrench(const Machine& machine, int row);
 
 }  // namespace pmreport::mechanics

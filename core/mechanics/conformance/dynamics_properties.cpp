@@ -9,7 +9,6 @@
 
 namespace pmreport::mechanics {
 
-using Eigen::Matrix3d;
 using Eigen::VectorXd;
 
 namespace {
@@ -22,20 +21,6 @@ double size_of(const Machine& machine, std::size_t coordinate, double length) {
 }
 
 }  // namespace
-
-InertiaDeviation inertia_deviation(const Topology& topology) {
-  InertiaDeviation d;
-  for (std::size_t b = 1; b < topology.bodies.size(); ++b) {
-    const Inertia& inertia = topology.bodies[b].inertia;
-    double value = inertia.mass < 0 || !std::isfinite(inertia.mass) ? 1 : 0;
-    if (const double largest = inertia.about_centre.cwiseAbs().maxCoeff(); largest > 0 || std::isnan(largest)) {
-      value = worse(value, (inertia.about_centre - inertia.about_centre.transpose()).cwiseAbs().maxCoeff() / largest);
-      value = worse(value, -linear::symmetric_eigenvalues(inertia.about_centre).minCoeff() / largest);
-    }
-    if (value > d.value) d = {value, static_cast<int>(b)};
-  }
-  return d;
-}
 
 double mass_matrix_deviation(const Machine& machine, const State& state, const Tangent& tangent, double length) {
   SmallMatrix mass = equations_of_motion(machine, state, tangent, Eigen::Vector3d::Zero()).mass;
@@ -50,8 +35,8 @@ double mass_matrix_deviation(const Machine& machine, const State& state, const T
   return worse(positive ? 0 : 1, (mass - mass.transpose()).cwiseAbs().maxCoeff() / largest);
 }
 
-double energy_deviation(const Machine& machine, const State& state, const ForceShares& forces, const Loading& loading, double condition,
-                        double length) {
+std::optional<double> energy_deviation(const Machine& machine, const State& state, const ForceShares& forces, const Loading& loading,
+                                       double condition, double length) {
   const std::size_t dof = state.coordinates.size();
   const auto n = static_cast<Eigen::Index>(dof);
   VectorXd q(n), rate(n), acceleration(n);
@@ -82,7 +67,7 @@ double energy_deviation(const Machine& machine, const State& state, const ForceS
     change += weights[k - 1] * (ahead - behind) / h;
     stored = std::max({stored, std::abs(ahead), std::abs(behind)});
   }
-  if (!reached) return 0;
+  if (!reached) return std::nullopt;
 
   const SmallVector total = forces.total();
   double power = 0, largest = std::max(std::abs(change), stored * speed);

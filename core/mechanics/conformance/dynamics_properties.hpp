@@ -4,16 +4,9 @@
 #include <core/mechanics/dynamics/virtual_work.hpp>
 #include <core/mechanics/reactions/reactions.hpp>
 
-namespace pmreport::mechanics {
+#include <optional>
 
-// A mass below zero counts 1; of an inertia about the centre of mass how far it is from symmetric, and its least principal value below
-// zero, relative to the largest entry. `body`: the worst; -1: all are sound. That no principal value exceeds the sum of the other two is
-// not asked: the rotor of a geared motor, reflected to its arm, is an inertia about one axis alone.
-struct InertiaDeviation {
-  double value = 0;
-  int body = -1;
-};
-InertiaDeviation inertia_deviation(const Topology& topology);
+namespace pmreport::mechanics {
 
 // M = M^T with positive eigenvalues, coordinates in sizes (`length` [m], 1 rad): the larger of the asymmetry and, where a motion has
 // kinetic energy zero or less, 1; relative. Zero where no body has mass.
@@ -21,9 +14,9 @@ double mass_matrix_deviation(const Machine& machine, const State& state, const T
 
 // Energy: d/dt (kinetic + potential) by differences of eighth order along the motion of `state`, against the power of actuators and load.
 // Relative to the largest power among them. The step shrinks as `condition` grows, that of the closed form: a motion passes a singular
-// pose at a distance of some 1 / condition. Zero where the motion leaves the reach.
-double energy_deviation(const Machine& machine, const State& state, const ForceShares& forces, const Loading& loading, double condition,
-                        double length);
+// pose at a distance of some 1 / condition. Nothing where the motion leaves the reach.
+std::optional<double> energy_deviation(const Machine& machine, const State& state, const ForceShares& forces, const Loading& loading,
+                                       double condition, double length);
 
 // The free bodies against virtual work, by one dense solution.
 struct FreeBodyDeviation {

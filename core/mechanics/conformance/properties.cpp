@@ -3,6 +3,11 @@
 #include <fmt/core.h>
 #include <core/mechanics/conformance/diagnosis.hpp>
 #include <core/mechanics/conformance/dynamics_properties.hpp>
+#include <core/mechanics/conformance/jumps.hpp>
+#include <core/mechanics/conformance/property_list.hpp>
+#include <core/mechanics/conformance/rest_properties.hpp>
+#include <core/mechanics/conformance/scalar_properties.hpp>
+#include <core/mechanics/conformance/wrench_properties.hpp>
 #include <core/mechanics/displacement/displacement.hpp>
 #include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/model/closed_form.hpp>
@@ -22,10 +27,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-// Rounding of one evaluation is some 1e-15; sums over bodies, divisions by limb lengths and poses near the edge of the box cost a few
-// digits.
-constexpr double rounding = 1e-10;
-
 // The larger of two deviations, where a NaN is the largest of all.
 double larger_or_nan(double worst, double x) { return x <= worst || std::isnan(worst) ? worst : x; }
 
@@ -37,92 +38,73 @@ class Suite {
         forward_(machine),
         frames_(machine),
         length_(characteristic_length(machine)),
-        random_(options.seed) {
-    const auto add = [this](const char* claim, const char* how, double tolerance, const char* unit) -> Property& {
-      properties_.push_back({claim, how, 0, tolerance, unit, ""});
-      return properties_.back();
-    };
-    properties_.reserve(32);
-    reach_ = &add("poses are in reach", "share of random poses in the box of the coordinates that cannot be assembled", 0.5, "");
-    units_ = &add("axes and rotations are unit", "deviation of axes from unit length, of rotations from orthonormal", rounding, "");
-    gap_ = &add("joints close", "joint centres carried from home by both bodies", rounding * length_, "m");
-    turn_ = &add("joint axes agree", "joint axes carried from home by both bodies", rounding, "rad");
-    velocity_ = &add("relative velocities are allowed", "twists by jets in the generic constraints", rounding, "");
-    acceleration_ = &add("relative accelerations are allowed", "twist rates by jets in the differentiated constraints", rounding, "");
-    drives_ = &add("actuators measure their joints", "actuator rates by jets against the relative motion at their joints", rounding, "");
-    mobility_ = &add("mobility is as declared", "degrees of freedom and idle freedoms by rank of the generic model", 0, "");
-    jacobian_ = &add("jacobian gives the actuator rates", "G times twist against jets", rounding, "");
-    jacobian_rate_ = &add("jacobian gives the actuator accelerations", "G times twist rate plus G' times twist against jets", rounding, "");
-    rates_ = &add("rates are exact", "jets against differences in extended precision", 1e-12, "");
-    accelerations_ = &add("accelerations are exact", "jets against second differences in extended precision", 1e-10, "");
-    matrices_ = &add("matrices of the source hold", "relations that the source states, with rates by jets", rounding, "");
-    partials_ = &add("partials are exact", "partials times coordinate rates against jets", rounding, "");
-    lanes_ = &add("lanes equal doubles", "poses many at once against one at a time, all scalar types", 1e-11, "");
-    extended_ = &add("extended precision agrees", "extended against double precision", 1e-12, "");
-    round_trip_ = &add("forward inverts inverse displacement",
-                       "coordinates recovered from actuator values, guess a hundredth of the size away", 1e-8, "");
-    statics_ = &add("closed-form statics equal the generic model's", "actuator forces by G and by the system over all bodies", 1e-8, "");
-    power_ = &add("virtual power balances", "actuator forces times rates plus load times twist", 1e-8, "");
-    inertias_ = &add("masses and inertias are not negative", "masses, and principal inertias about the centres of mass", rounding, "");
-    mass_ = &add("mass matrix is positive definite", "asymmetry; 1 where a motion has no kinetic energy, or a negative one", rounding, "");
-    energy_ =
-        &add("energy balances", "change of kinetic and potential energy by differences against the power of actuators and load", 1e-8, "");
-    virtual_work_ = &add("virtual work equals Newton and Euler", "actuator forces by partials and by the free bodies", 1e-8, "");
-    bodies_ = &add("every body is in balance", "unbalanced force or moment of the free bodies", 1e-8, "");
-    stresses_ = &add("self-stresses balance", "unbalanced force or moment of the bodies under each self-stress alone", 1e-8, "");
-    redundant_ = &add("self-stresses are as many as redundant constraints",
-                      "null space of the reactions against the rank of the constraints", 0, "");
-    limits_ = &add("limits are finite", "strokes, joint limits and their motions that are not finite", 0, "");
-  }
+        random_(options.seed),
+        p_(machine, length_, options) {}
 
-  std::vector<Property> run(int poses) {
-    const int dof = machine_.dof();
-    still(machine_.home());
+  std::vector<Property> run(const PropertyOptions& options) {
+    const VectorXd home = machine_.home();
+    std::vector<VectorXd> beside;
+    for (int k = 0; k < 5; ++k) beside.push_back(home + 0.03 * scaled(1.0));
+    look_at_home(machine_, beside, length_, p_);
     limits();
-    int lost = 0;
-    for (int k = 0; k <= poses; ++k) {
-      VectorXd q = k == 0 ? machine_.home() : random_pose();
-      label_ = k == 0 ? "home" : describe(q);
-      const VectorXd rate = scaled(1.0), acceleration = scaled(3.0);
-      evaluate(machine_, q.data(), rate.data(), acceleration.data(), state_);
-      if (state_.status == PM_UNREACHABLE) {
-        ++lost;
-        continue;
-      }
-      if (state_.status != PM_OK) {
-        note(*units_, std::numeric_limits<double>::quiet_NaN(), state_.why);
-        continue;
-      }
-      pose();
-      if (k % 50 == 0) still(q);
-      batch_.insert(batch_.end(), q.data(), q.data() + dof);
+    look_at(home, "home");
+    VectorXd last = home;
+    for (const VectorXd& q : options.at_first) {
+      if (look_at(q, describe(q))) path(last, q);
+      last = q;
     }
-    note(*reach_, poses > 0 ? static_cast<double>(lost) / poses : 0, fmt::format("{} of {} poses out of reach", lost, poses));
-    lanes();
-    return properties_;
+    int lost = 0;
+    for (int k = 1; k <= options.poses; ++k) {
+      const VectorXd q = random_pose();
+      if (!look_at(q, describe(q)))
+        ++lost;
+      else if (k % 10 == 1)
+        path(home, q);
+      if (k % 50 == 0) look_at_rest(machine_, q, length_, p_);
+    }
+    if (options.poses > 0)
+      note(*p_.reach, static_cast<double>(lost) / options.poses, fmt::format("{} of {} poses out of reach", lost, options.poses));
+    const ScalarDeviation d = scalar_deviation(machine_, batch_);
+    take(*p_.lanes, d.lanes);
+    take(*p_.extended, d.extended);
+    p_.stresses->applies = p_.redundant->evaluations == 0 || p_.stresses->evaluations > 0;
+    for (Property& p : p_.all)
+      if (p.verdict() == Verdict::not_examined && p.unexamined.empty()) p.unexamined = why_unexamined(options);
+    return p_.all;
   }
 
  private:
-  void note(Property& p, double deviation, const std::string& where) {
-    if (!(deviation <= p.worst)) {
-      p.worst = std::isfinite(deviation) ? deviation : std::numeric_limits<double>::infinity();
-      p.where = where;
+  // Looks at a pose with random rates. False where it is out of reach.
+  bool look_at(const VectorXd& q, const std::string& label) {
+    label_ = label;
+    const VectorXd rate = scaled(1.0), acceleration = scaled(3.0);
+    evaluate(machine_, q.data(), rate.data(), acceleration.data(), state_);
+    if (state_.status == PM_UNREACHABLE) return false;
+    if (state_.status == PM_OK) {
+      pose();
+      batch_.insert(batch_.end(), q.data(), q.data() + q.size());
+    } else {
+      note(*p_.units, std::numeric_limits<double>::quiet_NaN(), state_.why);
     }
+    return true;
   }
-  // Where it fails, what to look at is added.
-  template <class Diagnosis>
-  void note(Property& p, double deviation, const std::string& where, Diagnosis&& diagnosis) {
-    if (deviation <= p.worst) return;
-    note(p, deviation, where);
-    if (!p.passed()) p.where += ": " + diagnosis();
+  std::string why_unexamined(const PropertyOptions& options) const {
+    if (options.poses == 0 && regular_poses_ > 0) return "no pose but home was asked for";
+    if (regular_poses_ == 0)
+      return fmt::format("the overall Jacobian is singular, or nearly (condition above {:.0e}), at every pose", singular_condition);
+    return "there was no pose at which it can be looked at";
   }
-  std::string at(const std::string& what) const { return what.empty() ? label_ : what + " at " + label_; }
-  std::string describe(const VectorXd& q) const {
-    std::string s;
-    for (int i = 0; i < q.size(); ++i)
-      s += fmt::format("{}{} = {:.4g}", i > 0 ? ", " : "", machine_.topology().coordinates[static_cast<std::size_t>(i)].name, q(i));
-    return s;
+
+  static void take(Property& p, const ScalarDeviation::Largest& largest) {
+    p.worst = largest.value, p.where = largest.where, p.evaluations = largest.evaluations;
   }
+  auto here() const {
+    return [this] { return label_; };
+  }
+  auto at_joint(int joint) const {
+    return [this, joint] { return joint < 0 ? label_ : in_words(machine_, joint) + " at " + label_; };
+  }
+  std::string describe(const VectorXd& q) const { return pose_in_words(machine_, q); }
   VectorXd random_pose() {
     VectorXd q(machine_.dof());
     for (int i = 0; i < q.size(); ++i) {
@@ -138,8 +120,6 @@ class Suite {
              size_of(machine_.topology().coordinates[static_cast<std::size_t>(i)].sense(), length_);
     return v;
   }
-  std::string joint_name(int joint) const { return joint < 0 ? "" : in_words(machine_, joint); }
-
   void pose() {
     const Topology& t = machine_.topology();
     double off = 0;
@@ -152,16 +132,16 @@ class Suite {
                                 1.0);
       off = t.bodies[i].slender ? z
                                 : (r.transpose() * r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() + std::abs(r.determinant() - 1.0);
-      note(*units_, off, at(""), [&] { return about_body(machine_, state_, static_cast<int>(i)); });
+      note(*p_.units, off, here(), [&] { return about_body(machine_, state_, static_cast<int>(i)); });
     }
     for (std::size_t i = 0; i < t.joints.size(); ++i)
       for (int k = 0; k < axes_of(t.joints[i].kind); ++k)
-        note(*units_, std::abs(state_.joints[i].axis[k].norm() - 1.0), at(""),
+        note(*p_.units, std::abs(state_.joints[i].axis[k].norm() - 1.0), here(),
              [&] { return about_axis(machine_, state_, static_cast<int>(i), k); });
 
     const ClosureError e = closure_.error(state_.bodies);
-    note(*gap_, e.gap, at(joint_name(e.gap_joint)), [&] { return about_gap(machine_, state_, e.gap_joint, e.gap); });
-    note(*turn_, e.misalignment, at(joint_name(e.misalignment_joint)),
+    note(*p_.gap, e.gap, at_joint(e.gap_joint), [&] { return about_gap(machine_, state_, e.gap_joint, e.gap); });
+    note(*p_.turn, e.misalignment, at_joint(e.misalignment_joint),
          [&] { return about_misalignment(machine_, e.misalignment_joint, e.misalignment); });
 
     const GenericModel model = generic_model(machine_, state_);
@@ -171,14 +151,12 @@ class Suite {
     for (int r = 0; r < wrong_v.size(); ++r) {
       const int joint = model.joint_of_row[static_cast<std::size_t>(r)];
       const double v_share = std::abs(wrong_v(r)) / v_scale, a_share = std::abs(wrong_a(r)) / a_scale;
-      if (!(v_share <= velocity_->worst))
-        note(*velocity_, v_share, at(joint_name(joint)), [&] { return about_forbidden_motion(machine_, joint, v_share); });
-      if (!(a_share <= acceleration_->worst))
-        note(*acceleration_, a_share, at(joint_name(joint)), [&] { return about_forbidden_motion(machine_, joint, a_share); });
+      note(*p_.velocity, v_share, at_joint(joint), [&] { return about_forbidden_motion(machine_, joint, v_share); });
+      note(*p_.acceleration, a_share, at_joint(joint), [&] { return about_forbidden_motion(machine_, joint, a_share); });
     }
     const VectorXd driven = model.actuation * v;
     for (int i = 0; i < driven.size(); ++i)
-      note(*drives_, std::abs(driven(i) - state_.actuators[static_cast<std::size_t>(i)].rate) / v_scale, at(""),
+      note(*p_.drives, std::abs(driven(i) - state_.actuators[static_cast<std::size_t>(i)].rate) / v_scale, here(),
            [&] { return about_drive(machine_, state_, i, driven(i)); });
 
     const ClosedForm c = closed_form(machine_, state_, length_);
@@ -190,24 +168,53 @@ class Suite {
     };
     const Vector6d off_v = c.jacobian * platform.twist() - actuator_rates(state_);
     const Vector6d off_a = c.jacobian * platform.twist_rate() + c.jacobian_rate * platform.twist() - actuator_accelerations(state_);
-    note(*jacobian_, off_v.lpNorm<Eigen::Infinity>() / v_scale, at(""), [&] { return worst_row(off_v); });
-    note(*jacobian_rate_, off_a.lpNorm<Eigen::Infinity>() / a_scale, at(""), [&] { return worst_row(off_a); });
+    note(*p_.jacobian, off_v.lpNorm<Eigen::Infinity>() / v_scale, here(), [&] { return worst_row(off_v); });
+    note(*p_.jacobian_rate, off_a.lpNorm<Eigen::Infinity>() / a_scale, here(), [&] { return worst_row(off_a); });
 
-    const Deviation d = jets_against_differences(machine_, state_);
-    if (d.reachable) {
-      note(*rates_, d.rate, at(""));
-      note(*accelerations_, d.acceleration, at(""));
+    if (p_.wrenches->applies) {
+      const WrenchDeviation unit = unit_deviation(machine_, c.jacobian);
+      note(*p_.wrenches, unit.value, here(), [&] { return about_wrench(machine_, c.jacobian, unit.row); });
     }
-    const SourceDeviation source = source_deviation(machine_, state_);
-    if (source.value > 0)
-      note(*matrices_, source.value,
-           at(source.matrix < 0 ? "the plugin gives none" : "matrix " + t.matrices[static_cast<std::size_t>(source.matrix)].name));
+    if (away_from_the_edge()) {
+      const Deviation d = jets_against_differences(machine_, state_);
+      if (d.reachable) {
+        note(*p_.rates, d.rate, here());
+        note(*p_.accelerations, d.acceleration, here());
+      }
+    }
+    if (p_.matrices->applies) {
+      const SourceDeviation source = source_deviation(machine_, state_);
+      note(*p_.matrices, source.value, [&] {
+        return (source.matrix < 0 ? "the plugin gives none" : "matrix " + t.matrices[static_cast<std::size_t>(source.matrix)].name) +
+               " at " + label_;
+      });
+    }
     partials();
-    if (c.condition < 1e6) {  // next to a singular pose neither has an answer to compare
+    if (c.condition < singular_condition) {
       round_trip(c.condition);
       statics(model, c, platform.twist());
       if (regular_poses_++ % 10 == 0) dynamics(c.condition);
     }
+  }
+
+  // At the edge of reach square roots end, sqrt(d) with d the way to go. The differences take steps h of a thousandth of a size, whose
+  // truncation there is some 10 (h / d)^8: at a tenth of a size it is rounding.
+  bool away_from_the_edge() const {
+    double speed = 0;  // sizes a second
+    for (std::size_t i = 0; i < state_.coordinates.size(); ++i) {
+      const Scalar& c = state_.coordinates[i];
+      const double size = size_of(machine_.topology().coordinates[i].sense(), length_);
+      speed = std::max({speed, std::abs(c.rate) / size, std::sqrt(std::abs(c.acceleration) / size)});
+    }
+    for (const double t : {-0.1 / speed, 0.1 / speed}) {
+      VectorXd q(machine_.dof());
+      for (int i = 0; i < q.size(); ++i) {
+        const Scalar& c = state_.coordinates[static_cast<std::size_t>(i)];
+        q(i) = c.value + t * (c.rate + 0.5 * t * c.acceleration);
+      }
+      if (machine_.pose({q.data(), static_cast<std::size_t>(q.size())}).status == PM_UNREACHABLE) return false;
+    }
+    return true;
   }
 
   void partials() {
@@ -222,7 +229,7 @@ class Suite {
       scale = std::max(scale, std::abs(state_.placement_jets[3 * s + 1]));
       worst = larger_or_nan(worst, std::abs(rate - state_.placement_jets[3 * s + 1]));
     }
-    note(*partials_, scale > 0 ? worst / scale : worst, at(""));
+    note(*p_.partials, scale > 0 ? worst / scale : worst, here());
   }
 
   // Beside a singular surface another solution lies as near as the pose itself: the basin of the pose is as wide as its distance from the
@@ -240,7 +247,8 @@ class Suite {
     for (int i = 0; i < q.size(); ++i)
       worst = std::max(worst, std::abs(s.coordinates(i) - q(i)) /
                                   size_of(machine_.topology().coordinates[static_cast<std::size_t>(i)].sense(), length_));
-    note(*round_trip_, s.outcome == Outcome::good ? worst : std::numeric_limits<double>::infinity(), at(s.why));
+    note(*p_.round_trip, s.outcome == Outcome::good ? worst : std::numeric_limits<double>::infinity(),
+         [&] { return s.why.empty() ? label_ : s.why + " at " + label_; });
   }
 
   void statics(const GenericModel& model, const ClosedForm& c, const Vector6d& twist) {
@@ -253,7 +261,7 @@ class Suite {
       const double scale = std::max(1.0, forces.lpNorm<Eigen::Infinity>());
       double worst = 0;
       for (int i = 0; i < machine_.dof(); ++i) worst = larger_or_nan(worst, std::abs(g.actuator_forces(i) - forces(i)));
-      note(*statics_, worst / scale, at(""));
+      note(*p_.statics, worst / scale, here());
     }
     double power = load.dot(twist), size = load.cwiseProduct(twist).lpNorm<Eigen::Infinity>();
     for (int i = 0; i < machine_.dof(); ++i) {
@@ -261,7 +269,7 @@ class Suite {
       power += p;
       size = std::max(size, std::abs(p));
     }
-    if (size > 0) note(*power_, std::abs(power) / size, at(""));
+    if (size > 0) note(*p_.power, std::abs(power) / size, here());
   }
 
   void dynamics(double condition) {
@@ -270,84 +278,39 @@ class Suite {
     for (double& g : loading.gravity) g = std::uniform_real_distribution(-10.0, 10.0)(random_);
     const Tangent t = tangent(machine_, state_);
     const ForceShares forces = virtual_work(machine_, state_, t, loading);
-    note(*mass_, mass_matrix_deviation(machine_, state_, t, length_), at(""),
-         [] { return std::string("look at masses and inertias: is a body forgotten that only one coordinate moves?"); });
-    note(*energy_, energy_deviation(machine_, state_, forces, loading, condition, length_), at(""));
+    if (p_.mass->applies)
+      note(*p_.mass, mass_matrix_deviation(machine_, state_, t, length_), here(),
+           [] { return std::string("look at masses and inertias: is a body forgotten that only one coordinate moves?"); });
+    if (const auto energy = energy_deviation(machine_, state_, forces, loading, condition, length_)) note(*p_.energy, *energy, here());
     if (regular_poses_ % 100 != 1) return;  // what follows takes as long as all else at fifty poses
     const FreeBodyDeviation d = free_body_deviation(machine_, state_, frames_, forces, loading, length_);
-    note(*virtual_work_, d.forces, at(""));
-    note(*bodies_, d.balance, at(""));
-    note(*stresses_, d.stress, at(""));
+    note(*p_.virtual_work, d.forces, here());
+    note(*p_.bodies, d.balance, here());
+    if (d.stresses > 0) note(*p_.stresses, d.stress, here());
     const int redundant = mobility(machine_, state_).redundant;
-    note(*redundant_, std::abs(d.stresses - redundant), at(""),
+    note(*p_.redundant, std::abs(d.stresses - redundant), here(),
          [&] { return fmt::format("{} self-stresses, {} redundant constraints", d.stresses, redundant); });
   }
 
-  void still(const VectorXd& q) {  // rank needs a pose, no motion
-    const VectorXd zero = VectorXd::Zero(machine_.dof());
-    State s;
-    evaluate(machine_, q.data(), zero.data(), zero.data(), s);
-    if (s.status != PM_OK) return;
-    const Mobility m = mobility(machine_, s);
-    note(*mobility_, std::abs(m.freedoms - machine_.dof()) + std::abs(m.idle - machine_.topology().idle), describe(q),
-         [&] { return about_mobility(machine_, s, m); });
+  void path(const VectorXd& from, const VectorXd& to) {
+    const std::optional<Jump> jump = jump_between(machine_, from, to, length_);
+    note(*p_.jumps, jump ? 1 : 0, [&] {
+      return fmt::format("{} jumps by {:.4g} {} at {}{}", jump->quantity, jump->by, jump->unit, describe(jump->at),
+                         jump->unit == "rad" ? ": a turn; look at the cut of the arc tangent that place takes" : "");
+    });
   }
 
   void limits() {
     const Topology& t = machine_.topology();
-    const InertiaDeviation inertia = inertia_deviation(t);
-    note(*inertias_, inertia.value, inertia.body < 0 ? "" : "body " + t.bodies[static_cast<std::size_t>(inertia.body)].name);
     const std::vector<BodyState> home = bodies_at_rest(machine_, machine_.home_pose());
+    const auto finite = [&](double x, const char* what, const std::string& name) {
+      note(*p_.limits, std::isfinite(x) ? 0 : 1, [&] { return what + name; });
+    };
     for (std::size_t i = 0; i < t.joints.size(); ++i)
-      for (const double x : closure_.motion(home, static_cast<int>(i)))
-        if (!std::isfinite(x)) note(*limits_, 1, "motion of joint " + t.joints[i].name);
-    for (const Actuator& a : t.actuators)
-      if (!std::isfinite(a.stroke.min + a.stroke.max)) note(*limits_, 1, "stroke of " + a.name);
+      for (const double x : closure_.motion(home, static_cast<int>(i))) finite(x, "motion of joint ", t.joints[i].name);
+    for (const Actuator& a : t.actuators) finite(a.stroke.min + a.stroke.max, "stroke of ", a.name);
     for (const Joint& j : t.joints)
-      for (const Range& r : j.limits)
-        if (!std::isfinite(r.min + r.max)) note(*limits_, 1, "limit of joint " + j.name);
-  }
-
-  // All poses met so far at once, in every order of scalars, against one at a time; a count that no lane width divides included.
-  void lanes() {
-    const std::size_t dof = static_cast<std::size_t>(machine_.dof()), n = machine_.layout().size();
-    for (const std::size_t count : {std::size_t{2}, std::size_t{7}, std::size_t{16}, std::size_t{61}}) {
-      if (count * dof > batch_.size()) break;
-      for (const pm_order order : {PM_VALUE, PM_JET, PM_PARTIALS, PM_EXTENDED}) {
-        const std::size_t c = machine_.components(order), in = order == PM_PARTIALS ? 1 : c;
-        std::vector<double> one_q(dof * in), many_q(dof * in * count), one(n * c), many(n * c * count), one_g(36 * c),
-            many_g(36 * c * count);
-        for (std::size_t k = 0; k < count; ++k)
-          for (std::size_t i = 0; i < dof; ++i)
-            for (std::size_t e = 0; e < in; ++e)
-              many_q[(i * in + e) * count + k] = batch_[k * dof + i] * (e == 0                 ? 1.0
-                                                                        : order == PM_EXTENDED ? 1e-18
-                                                                                               : 0.5 * static_cast<double>(e));
-        machine_.place(order, count, many_q.data(), many.data());
-        machine_.jacobian(order, count, many.data(), many_g.data());
-        for (std::size_t k = 0; k < count; ++k) {
-          for (std::size_t s = 0; s < dof * in; ++s) one_q[s] = many_q[s * count + k];
-          machine_.place(order, 1, one_q.data(), one.data());
-          machine_.jacobian(order, 1, one.data(), one_g.data());
-          compare(one, many, count, k);
-          compare(one_g, many_g, count, k);
-          if (order == PM_EXTENDED) extended(one_q, one);
-        }
-      }
-    }
-  }
-  void compare(const std::vector<double>& one, const std::vector<double>& many, std::size_t count, std::size_t k) {
-    double scale = 1;
-    for (const double x : one) scale = std::max(scale, std::abs(x));
-    for (std::size_t s = 0; s < one.size(); ++s)
-      note(*lanes_, std::abs(one[s] - many[s * count + k]) / scale, fmt::format("{} poses at once, number {}", count, s));
-  }
-  void extended(const std::vector<double>& q2, const std::vector<double>& high_low) {
-    std::vector<double> q(q2.size() / 2), x(high_low.size() / 2);
-    for (std::size_t i = 0; i < q.size(); ++i) q[i] = q2[2 * i];
-    machine_.place(PM_VALUE, 1, q.data(), x.data());
-    for (std::size_t s = 0; s < x.size(); ++s)
-      note(*extended_, std::abs(x[s] - high_low[2 * s]) / std::max(1.0, std::abs(x[s])), fmt::format("number {}", s));
+      for (const Range& r : j.limits) finite(r.min + r.max, "limit of joint ", j.name);
   }
 
   const Machine& machine_;
@@ -360,16 +323,13 @@ class Suite {
   std::string label_;
   std::vector<double> batch_;
   int regular_poses_ = 0;
-  std::vector<Property> properties_;
-  Property *reach_, *units_, *gap_, *turn_, *velocity_, *acceleration_, *drives_, *mobility_, *jacobian_, *jacobian_rate_, *rates_,
-      *accelerations_, *matrices_, *partials_, *lanes_, *extended_, *round_trip_, *statics_, *power_, *inertias_, *mass_, *energy_,
-      *virtual_work_, *bodies_, *stresses_, *redundant_, *limits_;
+  PropertyList p_;
 };
 
 }  // namespace
 
 std::vector<Property> check_properties(const Machine& machine, const PropertyOptions& options) {
-  return Suite(machine, options).run(options.poses);
+  return Suite(machine, options).run(options);
 }
 
 }  // namespace pmreport::mechanics

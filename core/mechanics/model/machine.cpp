@@ -2,6 +2,7 @@
 
 #include <core/assertion.hpp>
 #include <core/mechanics/model/contract.hpp>
+#include <core/mechanics/model/inertia_check.hpp>
 #include <core/mechanics/model/topology_check.hpp>
 #include <core/mechanics/model/topology_reader.hpp>
 
@@ -58,6 +59,7 @@ Machine::Machine(const pm_mechanism& table, ParameterValues values) : table_(&ta
     home_pose_ = pose({q.data(), static_cast<std::size_t>(q.size())});
     if (home_pose_.status == PM_UNREACHABLE) throw MechanismError(PM_BAD_ARGUMENT, "the home pose cannot be assembled: " + home_pose_.why);
     if (home_pose_.status != PM_OK) throw MechanismError(PM_FAILED, "the home pose: " + home_pose_.why);
+    check_inertias(*this, table);
   } catch (...) {
     table_->destroy(instance_);
     throw;

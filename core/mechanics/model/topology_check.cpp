@@ -27,6 +27,52 @@ void check_connected(const Topology& t) {
   demand(loose.empty(), "no chain of joints leads from the base to: " + loose + "; is a joint, or a limb, forgotten?");
 }
 
+// Names are what scenarios, columns, checks and reports call things by.
+struct Named {
+  std::string what, name;  // "joint 2", "A1"
+};
+template <class List>
+void add_names(std::vector<Named>& out, const char* what, const List& list) {
+  for (const auto& item : list) {
+    out.push_back({fmt::format("{} {}", what, &item - list.data() + 1), item.name});
+    demand(!item.name.empty(), out.back().what + " has no name");
+  }
+}
+void demand_distinct(const std::vector<Named>& all) {
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      demand(all[i].name != all[k].name,
+             fmt::format("{} and {} are both called {}; each needs a name of its own", all[k].what, all[i].what, all[i].name));
+}
+
+void check_names(const Topology& t) {
+  std::vector<Named> quantities, bodies, joints, matrices;
+  add_names(quantities, "coordinate", t.coordinates);
+  add_names(quantities, "derived quantity", t.derived);
+  add_names(quantities, "actuator", t.actuators);
+  add_names(quantities, "constraint", t.constraints);
+  add_names(quantities, "reading", t.readings);
+  add_names(bodies, "body", t.bodies);
+  add_names(joints, "joint", t.joints);
+  add_names(matrices, "matrix", t.matrices);
+  for (const auto& names : {quantities, bodies, joints, matrices}) demand_distinct(names);
+}
+
+// What cannot be drawn.
+void check_shapes(const Topology& t) {
+  for (const Shape& s : t.shapes) {
+    demand(s.body >= 0 && s.body < static_cast<int>(t.bodies.size()),
+           fmt::format("a shape belongs to body {}, which does not exist", s.body));
+    const std::string& body = t.bodies[static_cast<std::size_t>(s.body)].name;
+    const int kind = static_cast<int>(s.kind);
+    demand(kind >= PM_CYLINDER && kind <= PM_BOX, fmt::format("body {}: a shape of unknown kind {}", body, kind));
+    demand(s.a.allFinite() && s.b.allFinite() && std::isfinite(s.radius),
+           fmt::format("body {}: a shape whose places or radius are not finite numbers", body));
+    demand(s.radius >= 0, fmt::format("body {}: a shape of radius {} m; it cannot be negative", body, s.radius));
+    demand(s.kind != ShapeKind::box || s.b.minCoeff() >= 0, fmt::format("body {}: a box with a negative half edge", body));
+  }
+}
+
 }  // namespace
 
 void check_topology(const Topology& t, int dof) {
@@ -43,6 +89,7 @@ void check_topology(const Topology& t, int dof) {
   demand(t.idle >= 0, "declares a negative number of idle freedoms");
   for (const Coordinate& c : t.coordinates) {
     demand(c.unit == "m" || c.unit == "rad", fmt::format("coordinate {}: unit \"{}\", expected \"m\" or \"rad\"", c.name, c.unit));
+    demand(std::isfinite(c.box.min) && std::isfinite(c.box.max), fmt::format("coordinate {}: its box is not a finite range", c.name));
     demand(c.box.min <= c.home && c.home <= c.box.max, fmt::format("coordinate {}: home lies outside its own box", c.name));
   }
   for (const Joint& j : t.joints) {
@@ -85,8 +132,10 @@ void check_topology(const Topology& t, int dof) {
       demand(other.relation != m.relation || (other.gives == m.gives && other.rows == m.rows),
              fmt::format("matrices {} and {} are of one relation, but do not give the same", m.name, other.name));
   }
-  for (const Shape& s : t.shapes)
-    demand(s.body >= 0 && s.body < count(t.bodies), fmt::format("a shape belongs to body {}, which does not exist", s.body));
+  for (const Constraint& c : t.constraints)
+    demand(c.unit == "N" || c.unit == "N*m", fmt::format("constraint {}: unit \"{}\", expected \"N\" or \"N*m\"", c.name, c.unit));
+  check_shapes(t);
+  check_names(t);
 }
 
 }  // namespace pmreport::mechanics

@@ -60,7 +60,8 @@ LineRanks line_ranks(const Machine& machine, const Matrix6d& jacobian, double le
     const Screw screw = screw_of_wrench(rows.row(i).transpose(), Eigen::Vector3d::Zero(), length);
     if (i < machine.dof()) r.pitch.push_back(screw.pitch);
     rows.row(i).tail<3>() /= length;
-    rows.row(i) /= screw.is_free() ? rows.row(i).tail<3>().norm() : rows.row(i).head<3>().norm();
+    const double size = screw.is_free() ? rows.row(i).tail<3>().norm() : rows.row(i).head<3>().norm();
+    if (size > 0) rows.row(i) /= size;  // a row of zeros has no direction, and adds nothing to a rank
   }
   // By singular values, as the literature has it; a pivot could be small without one.
   r.lines = linear::rank_by_singular_values(rows.topRows(machine.dof()));

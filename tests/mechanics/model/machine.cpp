@@ -163,6 +163,27 @@ TEST_CASE("a declaration that makes no sense is told by name") {
          t.actuators[0].stroke = {0.2, 0.2};
        }},
       {"a shape belongs to body 4, which does not exist", [](Topology& t) { t.shapes.emplace_back().body = 4; }},
+      {"body slider: a shape of radius -0.1 m; it cannot be negative",
+       [](Topology& t) {
+         t.shapes.push_back({1, ShapeKind::ball, {0, 0, 0}, {0, 0, 0}, -0.1});
+       }},
+      {"body slider: a shape whose places or radius are not finite numbers",
+       [](Topology& t) {
+         t.shapes.push_back({1, ShapeKind::cylinder, {0, 0, 0}, {0, std::nan(""), 0}, 0.1});
+       }},
+      {"body slider: a box with a negative half edge",
+       [](Topology& t) {
+         t.shapes.push_back({1, ShapeKind::box, {0, 0, 0}, {0.1, -0.1, 0.1}, 0});
+       }},
+      {"coordinate x: its box is not a finite range",
+       [](Topology& t) { t.coordinates[0].box.max = std::numeric_limits<double>::infinity(); }},
+      {"constraint fy: unit \"kg\", expected \"N\" or \"N*m\"", [](Topology& t) { t.constraints[0].unit = "kg"; }},
+      {"coordinate 1 has no name", [](Topology& t) { t.coordinates[0].name.clear(); }},
+      {"body 2 has no name", [](Topology& t) { t.bodies[1].name.clear(); }},
+      {"coordinate 1 and derived quantity 1 are both called x; each needs a name of its own", [](Topology& t) { t.derived[0].name = "x"; }},
+      {"constraint 1 and constraint 4 are both called fy; each needs a name of its own", [](Topology& t) { t.constraints[3].name = "fy"; }},
+      {"body 1 and body 2 are both called base; each needs a name of its own", [](Topology& t) { t.bodies[1].name = "base"; }},
+      {"body slider: its mass is -1 kg", [](Topology& t) { t.bodies[1].inertia.mass = -1; }},
   };
   for (const Slip& slip : slips) {
     const Refusal r = refusal_of(slip.spoil);

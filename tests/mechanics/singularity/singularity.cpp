@@ -181,3 +181,18 @@ TEST_CASE("a rounded pose is put onto the singular surface that it means, and on
   CHECK(on->moved == Approx(-3e-5).epsilon(1e-6));
   CHECK_FALSE(onto_surface(machine, yaw(machine, 0.3), length).has_value());
 }
+
+TEST_CASE("a row of zeros adds nothing to the ranks of lines") {
+  const Machine machine = test::make_hexapod(test::BaseJoint::universal);
+  std::vector<double> placement(machine.layout().size());
+  const VectorXd q = yaw(machine, 0.2);
+  machine.place(PM_VALUE, 1, q.data(), placement.data());
+  const double length = characteristic_length(machine);
+  linear::Matrix6d g = machine.jacobian(placement.data()).matrix;
+  CHECK(line_ranks(machine, g, length).wrenches == 6);
+  g.row(3).setZero();
+  const LineRanks ranks = line_ranks(machine, g, length);
+  CHECK(ranks.lines == 5);
+  CHECK(ranks.wrenches == 5);
+  CHECK(line_ranks(machine, linear::Matrix6d::Zero(), length).wrenches == 0);
+}
