@@ -1,6 +1,7 @@
 // `pmreport check`: the property suite of each mechanism, and a table of all when there are several.
 #include <core/mechanics/conformance/properties.hpp>
 #include <reports/program/commands.hpp>
+#include <reports/program/remarks.hpp>
 #include <reports/program/terminal.hpp>
 
 #include <fmt/core.h>
@@ -36,6 +37,7 @@ Checked print_properties(const mechanics::Machine& machine, int poses) {
     if (p.passed()) ++c.passed;
     if (const double share = share_of_tolerance(p); share > c.share) c.closest = p.claim, c.share = share;
   }
+  print_remarks(machine);
   return c;
 }
 
