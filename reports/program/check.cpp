@@ -3,6 +3,7 @@
 #include <core/mechanics/conformance/properties.hpp>
 #include <core/mechanics/conformance/settings.hpp>
 #include <reports/program/commands.hpp>
+#include <reports/program/remarks.hpp>
 #include <reports/program/terminal.hpp>
 #include <reports/section/kinds.hpp>
 
@@ -105,6 +106,7 @@ Checked print_properties(const Machine& machine, int poses, const std::vector<Ei
     check_settings(other_choices(machine), "other choices", poses > 0, std::min(poses, poses_elsewhere), c);
     check_settings(other_numbers(machine, draws, 1), "other sizes", false, std::min(poses, poses_elsewhere), c);
   }
+  print_remarks(machine);
   fmt::print("{}\n", c.counts());
   return c;
 }

@@ -1,3 +1,4 @@
+#include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/joint_words.hpp>
 #include <core/mechanics/model/machine.hpp>
 #include <core/text/units.hpp>
@@ -10,7 +11,7 @@ namespace pmreport::program {
 
 using mechanics::Machine;
 using mechanics::ParameterInfo;
-using mechanics::word_of;
+using mechanics::word_of, mechanics::word_of_effort;
 
 namespace {
 
@@ -35,6 +36,20 @@ std::string range_of(const ParameterInfo& p) {
   return out;
 }
 
+// "force [N]" of a linear actuator, "torque [N*m]" of a rotary one.
+std::string effort_of(const Actuator& a) { return fmt::format("{} [{}]", word_of_effort(a.sense()), mechanics::unit_of_effort(a.sense())); }
+
+// "-45 deg to 45 deg, -45 deg to 45 deg", and of a ball with a direction what it counts from.
+std::string limits_of(const Joint& j, const Topology& t) {
+  std::string out;
+  const std::string unit = j.kind == JointKind::prismatic ? "mm" : "deg";
+  for (const Range& r : j.limits) out += fmt::format("{}{} to {}", out.empty() ? "" : ", ", quantity(r.min, unit), quantity(r.max, unit));
+  if (!j.from.isZero())
+    out += fmt::format(" from ({}, {}, {}) of {}", format_number(j.from.x(), 4), format_number(j.from.y(), 4), format_number(j.from.z(), 4),
+                       t.bodies[static_cast<std::size_t>(j.stud == j.a ? j.b : j.a)].name);
+  return out;
+}
+
 std::string text_of(const Machine& m) {
   const Topology& t = m.topology();
   std::string out = fmt::format("{}\n{}\nsource: {}\n\nindependent coordinates\n", m.info().name, m.info().title, m.info().source);
@@ -45,16 +60,18 @@ std::string text_of(const Machine& m) {
     out += fmt::format("  {:<8} {:<24} {}\n", d.name, d.title, d.dependent ? "dependent: follows from the others" : "derived");
   out += "\nactuators\n";
   for (const Actuator& a : t.actuators)
-    out += fmt::format("  {:<8} {:<24} stroke {} to {}\n", a.name, a.title, quantity(a.stroke.min, display_of(a.unit)),
-                       quantity(a.stroke.max, display_of(a.unit)));
-  for (const Constraint& c : t.constraints) out += fmt::format("  {:<8} {} [{}]\n", c.name, c.title, c.unit);
+    out += fmt::format("  {:<8} {:<24} stroke {} to {}, gives a {}\n", a.name, a.title, quantity(a.stroke.min, display_of(a.unit)),
+                       quantity(a.stroke.max, display_of(a.unit)), effort_of(a));
+  if (!t.constraints.empty()) out += "\nconstraints: wrenches that hold the platform, beside the actuators\n";
+  for (const Constraint& c : t.constraints) out += fmt::format("  {:<12} {} [{}]\n", c.name, c.title, c.unit);
   out += "\nparameters\n";
   for (const ParameterInfo& p : m.info().parameters)
-    out += fmt::format("  {:<24} {}\n  {:<24} default {}, {}\n", p.name, p.title, "", default_of(p), range_of(p));
-  out += "\njoints\n";
+    out += fmt::format("  {:<24} {}\n  {:<24} default {}, {}{}\n", p.name, p.title, "", default_of(p), range_of(p),
+                       p.unless.empty() ? "" : "; not beside " + p.unless);
+  out += "\njoints, and their limits from home\n";
   for (const Joint& j : t.joints)
-    out += fmt::format("  {:<4} {:<12} {} – {}\n", j.name, word_of(j.kind), t.bodies[static_cast<std::size_t>(j.a)].name,
-                       t.bodies[static_cast<std::size_t>(j.b)].name);
+    out += fmt::format("  {:<4} {:<12} {} – {}: {}\n", j.name, word_of(j.kind), t.bodies[static_cast<std::size_t>(j.a)].name,
+                       t.bodies[static_cast<std::size_t>(j.b)].name, limits_of(j, t));
   return out;
 }
 
@@ -72,6 +89,8 @@ std::string json_of(const Machine& m) {
     j["actuators"].push_back({{"name", a.name},
                               {"title", a.title},
                               {"unit", a.unit},
+                              {"effort", word_of_effort(a.sense())},
+                              {"effort_unit", mechanics::unit_of_effort(a.sense())},
                               {"joint", t.joints[static_cast<std::size_t>(a.joint)].name},
                               {"stroke_min", a.stroke.min},
                               {"stroke_max", a.stroke.max}});
@@ -89,6 +108,7 @@ std::string json_of(const Machine& m) {
       o["min"] = p.min;
       o["max"] = p.max;
     }
+    if (!p.unless.empty()) o["unless"] = p.unless;
     j["parameters"].push_back(o);
   }
   for (const Body& b : t.bodies) {
@@ -105,11 +125,13 @@ std::string json_of(const Machine& m) {
     const Joint& joint = t.joints[k];
     Json limits = Json::array();
     for (const Range& r : joint.limits) limits.push_back({r.min, r.max});
-    j["joints"].push_back({{"name", joint.name},
-                           {"kind", word_of(joint.kind)},
-                           {"a", t.bodies[static_cast<std::size_t>(joint.a)].name},
-                           {"b", t.bodies[static_cast<std::size_t>(joint.b)].name},
-                           {"limits", limits}});
+    Json o{{"name", joint.name},
+           {"kind", word_of(joint.kind)},
+           {"a", t.bodies[static_cast<std::size_t>(joint.a)].name},
+           {"b", t.bodies[static_cast<std::size_t>(joint.b)].name},
+           {"limits", limits}};
+    if (!joint.from.isZero()) o["from"] = {joint.from.x(), joint.from.y(), joint.from.z()};
+    j["joints"].push_back(o);
   }
   j["platform"] = t.bodies[static_cast<std::size_t>(t.platform)].name;
   j["idle_freedoms"] = t.idle;

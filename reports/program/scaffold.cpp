@@ -39,12 +39,13 @@ std::string filled(std::string text, std::string_view mark, std::string_view val
 }  // namespace
 
 std::string fault_of_name(std::string_view name) {
-  constexpr const char* rule = "a mechanism's name has lower-case letters, digits and dashes, and begins with a letter";
+  constexpr const char* rule = "a mechanism's name has lower-case letters, digits and dashes, one letter at least, and begins with no dash";
   if (name.empty()) return fmt::format("the name is empty; {}", rule);
   if (name.size() > longest_name) return fmt::format("the name has {} letters; at most {} fit", name.size(), longest_name);
-  if (!lower(name.front())) return fmt::format("'{}' begins with '{}'; {}", name, name.front(), rule);
+  if (!lower(name.front()) && !digit(name.front())) return fmt::format("'{}' begins with '{}'; {}", name, name.front(), rule);
   for (const char c : name)
     if (!lower(c) && !digit(c) && c != '-') return fmt::format("'{}' has a '{}'; {}", name, c, rule);
+  if (std::none_of(name.begin(), name.end(), lower)) return fmt::format("'{}' has no letter; {}", name, rule);
   if (name.back() == '-' || name.find("--") != std::string_view::npos) return fmt::format("'{}': a dash stands between two words", name);
   if (std::find(cmake_targets.begin(), cmake_targets.end(), name) != cmake_targets.end())
     return fmt::format("'{}' is a target of CMake's own; choose another name", name);
@@ -52,7 +53,7 @@ std::string fault_of_name(std::string_view name) {
 }
 
 std::string class_of(std::string_view name) {
-  std::string out;
+  std::string out = digit(name.front()) ? "Robot" : "";  // no class of C++ begins with a digit
   bool first = true;
   for (const char c : name) {
     if (c != '-') out += first && lower(c) ? static_cast<char>(c - 'a' + 'A') : c;

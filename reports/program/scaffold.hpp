@@ -20,10 +20,11 @@ struct ScaffoldFile {
   std::string name, text;
 };
 
-// Why `name` cannot name a mechanism; empty when it can: lower-case letters, digits and dashes, beginning with a letter.
+// Why `name` cannot name a mechanism; empty when it can: lower-case letters, digits and dashes between them, and
+// not digits alone.
 std::string fault_of_name(std::string_view name);
 
-// The class of mechanism NAME: my-robot gives MyRobot. A name that the SDK has taken gets "Mechanism" appended.
+// The class of mechanism NAME: my-robot gives MyRobot, 3-rps gives Robot3Rps. A name that the SDK has taken gets "Mechanism" appended.
 std::string class_of(std::string_view name);
 
 // The files of a sound name.

@@ -116,6 +116,26 @@ TEST_CASE("describe tells a reader what a mechanism is") {
   CHECK(result.out.find("nan") == std::string::npos);
 }
 
+TEST_CASE("describe keeps what holds the platform apart from what drives it, and says what a drive gives") {
+  const std::string arms = pmreport({"describe", "delta"}).out, legs = pmreport({"describe", "4sps-spr"}).out;
+  const auto actuators = arms.find("\nactuators\n"), constraints = arms.find("\nconstraints: "), parameters = arms.find("\nparameters\n");
+  REQUIRE(actuators < constraints);
+  REQUIRE(constraints < parameters);
+  const std::string driving = arms.substr(actuators, constraints - actuators), holding = arms.substr(constraints, parameters - constraints);
+  CHECK_THAT(driving, Contains("theta2") && Contains("gives a torque [N*m]") && !Contains("couple") && !Contains("force"));
+  CHECK_THAT(holding, Contains("couple2") && !Contains("theta"));
+  CHECK_THAT(legs, Contains("gives a force [N]") && !Contains("torque"));
+  const auto json = nlohmann::json::parse(pmreport({"describe", "delta", "--json"}).out);
+  CHECK(json["actuators"][0]["effort"] == "torque");
+  CHECK(json["actuators"][0]["effort_unit"] == "N*m");
+}
+
+TEST_CASE("check remarks on data that look odd, and passes") {
+  const Result result = pmreport({"check", "delta", "--poses", "5"});
+  CHECK(result.status == 0);
+  CHECK_THAT(result.out, Contains("\ndata: nothing looks odd\n"));
+}
+
 TEST_CASE("describe --json tells a program the same") {
   const Result result = pmreport({"describe", "4sps-spr", "--json"});
   CHECK(result.status == 0);

@@ -76,6 +76,15 @@ TEST_CASE("the folder of a new mechanism holds four files that bear its name") {
   for (const auto& [name, text] : files) CHECK_THAT(text, !Contains("my-robot") && !Contains("MyRobot"));
 }
 
+TEST_CASE("a mechanism's name may begin with a digit, its class does not") {
+  const Workshop here;
+  REQUIRE(make(here, "3-rps").status == 0);
+  const auto files = contents(here / "3-rps");
+  CHECK_THAT(files.at("mechanism.cpp"), Contains("class Robot3Rps : public Mechanism<3>") && Contains("PMREPORT_PLUGIN(Robot3Rps)") &&
+                                            Contains("name = \"3-rps\";"));
+  CHECK_THAT(files.at("CMakeLists.txt"), Contains("project(3-rps ") && Contains("pmreport_add_mechanism(3-rps mechanism.cpp)"));
+}
+
 TEST_CASE("a class never takes the name of something of the library") {
   const std::regex declaration("\\n(?:class|struct|enum class|concept|using) ([A-Z]\\w*)");
   std::set<std::string> taken{"Vector3d"};  // by the scaffold's own using-declaration
@@ -95,11 +104,11 @@ TEST_CASE("a class never takes the name of something of the library") {
 
 TEST_CASE("a name that cannot be a mechanism's is refused with the rule") {
   const Workshop here;
-  const std::string rule = "a mechanism's name has lower-case letters, digits and dashes, and begins with a letter\n";
+  const std::string rule = "a mechanism's name has lower-case letters, digits and dashes, one letter at least, and begins with no dash\n";
   const std::map<std::string, std::string> refused{
       {"", "error: the name is empty; " + rule},
       {"MyRobot", "error: 'MyRobot' begins with 'M'; " + rule},
-      {"3rps", "error: '3rps' begins with '3'; " + rule},
+      {"42", "error: '42' has no letter; " + rule},
       {"my_robot", "error: 'my_robot' has a '_'; " + rule},
       {"my robot", "error: 'my robot' has a ' '; " + rule},
       {"../robot", "error: '../robot' begins with '.'; " + rule},

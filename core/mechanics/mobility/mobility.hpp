@@ -2,6 +2,7 @@
 // more than needed.
 #pragma once
 
+#include <core/mechanics/mobility/loops.hpp>
 #include <core/mechanics/mobility/wrench_system.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 
@@ -38,7 +39,9 @@ struct SelfStress {
   std::vector<Share> shares;  // of the joints that carry any of it
   NamedWrench at_first;       // that of the first share, in unit magnitude: force or couple 1
   bool same = true;           // every share is plus or minus that of the first: one wrench goes round a loop
+  Loop loop;                  // the smallest loop that has it; empty where it takes several together
 };
+// As many as redundant constraints, by their loops, those of the smallest first.
 std::vector<SelfStress> self_stresses(const Machine& machine, const State& state, const GenericModel& model);
 
 // Centres of joints, as landmarks of `readable_basis`; the centre of a prismatic joint is any point of its travel, and none of these.

@@ -1,6 +1,7 @@
 // Redundant constraints as self-stresses: combinations of joint reactions that leave every body in equilibrium without a load,
 // PHI^T lambda = 0, the left null space of PHI. Any basis of it would do; one that an engineer reads has few joints in each, and at its
-// first joint a plain couple or force.
+// first joint a plain couple or force. So loop by loop, the smallest first, those are taken that the loop has by itself, the null space of
+// the rows of its joints, less what smaller loops have; what is left takes several loops together.
 #include <core/linear/least_norm.hpp>
 #include <core/linear/subspace.hpp>
 #include <core/mechanics/mobility/mobility.hpp>
@@ -8,6 +9,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <set>
 
 namespace pmreport::mechanics {
 
@@ -29,14 +31,42 @@ class Stresses {
     MatrixXd phi = per_length(model_.constraints, length_);
     const VectorXd scale = phi.rowwise().norm();
     phi = scale.cwiseInverse().asDiagonal() * phi;
-    const MatrixXd null = scale.cwiseInverse().asDiagonal() * linear::null_space(phi.transpose());
-    for (const MatrixXd& block : blocks(null)) refine(block);
+    const MatrixXd null = linear::null_space(phi.transpose());
+    MatrixXd told(null.rows(), 0);
+    const auto take = [&](const MatrixXd& candidates) {
+      const MatrixXd beyond = candidates - told * (told.transpose() * candidates);
+      const MatrixXd fresh = candidates * linear::column_space(beyond.transpose(), 1);
+      if (fresh.cols() == 0) return;
+      MatrixXd both(told.rows(), told.cols() + fresh.cols());
+      both << told, fresh;
+      told = linear::orthonormalised(both);
+      refine(scale.cwiseInverse().asDiagonal() * fresh);
+    };
+    if (null.cols() == 0) return {};
+    for (Loop& loop : loops(topology_)) {
+      if (told.cols() == null.cols()) break;
+      loop_ = std::move(loop);
+      take(of_joints(phi, loop_.joints));
+    }
+    loop_ = {};
+    for (const VectorXd& one : sparse(null)) take(one);
     return std::move(out_);
   }
 
  private:
-  // Reduced to row echelon form, vectors of loops that have no joint in common separate; those that share a joint are one block.
-  std::vector<MatrixXd> blocks(const MatrixXd& null) const {
+  // Reactions of these joints alone that balance, orthonormal.
+  MatrixXd of_joints(const MatrixXd& phi, const std::vector<int>& joints) const {
+    std::vector<Index> rows;
+    for (Index r = 0; r < phi.rows(); ++r)
+      if (std::find(joints.begin(), joints.end(), model_.joint_of_row[static_cast<std::size_t>(r)]) != joints.end()) rows.push_back(r);
+    const MatrixXd null = linear::null_space(phi(rows, Eigen::all).transpose());
+    MatrixXd out = MatrixXd::Zero(phi.rows(), null.cols());
+    out(rows, Eigen::all) = null;
+    return out;
+  }
+
+  // The same space by vectors with many zeros, those with the fewest joints first: reduced to row echelon form.
+  std::vector<VectorXd> sparse(const MatrixXd& null) const {
     MatrixXd rows = null.transpose();
     Index next = 0;
     for (Index c = 0; c < rows.cols() && next < rows.rows(); ++c) {
@@ -48,37 +78,16 @@ class Stresses {
         if (r != next) rows.row(r) -= rows(r, c) * rows.row(next);
       ++next;
     }
-    std::vector<std::vector<Index>> groups;
-    for (Index r = 0; r < rows.rows(); ++r) {
-      std::vector<Index> merged{r};
-      std::erase_if(groups, [&](const std::vector<Index>& g) {
-        const bool shares = std::any_of(g.begin(), g.end(), [&](Index k) { return share_a_joint(rows.row(k), rows.row(r)); });
-        if (shares) merged.insert(merged.end(), g.begin(), g.end());
-        return shares;
-      });
-      std::sort(merged.begin(), merged.end());
-      groups.push_back(merged);
-    }
-    std::sort(groups.begin(), groups.end());
-    std::vector<MatrixXd> out;
-    for (const auto& g : groups) {
-      MatrixXd block(rows.cols(), static_cast<Index>(g.size()));
-      for (std::size_t k = 0; k < g.size(); ++k) block.col(static_cast<Index>(k)) = rows.row(g[k]).transpose();
-      out.push_back(block);
-    }
+    std::vector<VectorXd> out;
+    for (Index r = 0; r < rows.rows(); ++r) out.push_back(rows.row(r).transpose().normalized());
+    std::stable_sort(out.begin(), out.end(), [&](const VectorXd& x, const VectorXd& y) { return joints_in(x) < joints_in(y); });
     return out;
   }
-  bool share_a_joint(const VectorXd& x, const VectorXd& y) const {
-    const auto joints = [&](const VectorXd& v) {
-      std::vector<bool> in(topology_.joints.size());
-      for (Index r = 0; r < v.size(); ++r)
-        if (std::abs(v(r)) > least_part) in[static_cast<std::size_t>(model_.joint_of_row[static_cast<std::size_t>(r)])] = true;
-      return in;
-    };
-    const std::vector<bool> a = joints(x), b = joints(y);
-    for (std::size_t j = 0; j < a.size(); ++j)
-      if (a[j] && b[j]) return true;
-    return false;
+  std::size_t joints_in(const VectorXd& reactions) const {
+    std::set<int> joints;
+    for (Index r = 0; r < reactions.size(); ++r)
+      if (std::abs(reactions(r)) > least_part) joints.insert(model_.joint_of_row[static_cast<std::size_t>(r)]);
+    return joints.size();
   }
 
   // What joint j exerts on its body b, about the base's origin, for each column of reactions.
@@ -125,6 +134,7 @@ class Stresses {
   void add(const VectorXd& reactions, const NamedWrench& first, int speaker) {
     SelfStress s;
     s.at_first = first;
+    s.loop = loop_;
     const auto scaled = [&](Vector6d w) {
       w.tail<3>() /= length_;
       return w;
@@ -145,6 +155,7 @@ class Stresses {
   const State& state_;
   const GenericModel& model_;
   double length_;
+  Loop loop_;  // whose self-stresses are being told; empty: of several together
   std::vector<SelfStress> out_;
 };
 

@@ -1,6 +1,7 @@
 // Section `mechanism`: what it is, its parameters, joints and bodies, and its mobility by count and by rank.
 #include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/model/joint_words.hpp>
+#include <reports/section/common/oddities.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/mechanism/mechanism.hpp>
 
@@ -42,10 +43,13 @@ Table parameters(const Analysis& a) {
 
 Table joints(const mechanics::Machine& m) {
   const Topology& t = m.topology();
-  Table table{"Joints. Deflections and rotations count from home.",
-              {"joint", "kind", "connects", "with", "freedoms", "from", "to"},
-              {false, false, false, false, true, true, true},
-              {}};
+  Table table{
+      "Joints. Deflections and rotations count from home, or of a ball from the direction that the row gives, in axes of the body that "
+      "holds "
+      "the ball.",
+      {"joint", "kind", "connects", "with", "freedoms", "from", "to"},
+      {false, false, false, false, true, true, true},
+      {}};
   const auto body = [&](int i) { return t.bodies[static_cast<std::size_t>(i)].name; };
   for (const Joint& j : t.joints) {
     const Actuator* drive = nullptr;
@@ -60,6 +64,9 @@ Table joints(const mechanics::Machine& m) {
         from += (from.empty() ? "" : ", ") + show(r.min, unit);
         to += (to.empty() ? "" : ", ") + show(r.max, unit);
       }
+      if (!j.from.isZero())
+        to += typeset(
+            fmt::format(" from ({}, {}, {})", format_number(j.from.x(), 4), format_number(j.from.y(), 4), format_number(j.from.z(), 4)));
     }
     table.rows.push_back({j.name, mechanics::word_and_letter(j.kind) + (drive != nullptr ? ", drives " + drive->name : ""), body(j.a),
                           body(j.b), std::to_string(freedoms_of(j.kind)), from, to});
@@ -110,6 +117,7 @@ Result mechanism_section(const Analysis& a, const Stage& stage) {
   s.blocks.push_back(parameters(a));
   s.blocks.push_back(joints(m));
   s.blocks.push_back(bodies(m));
+  for (const std::string& text : oddity_sentences(m)) s.blocks.push_back(Paragraph{Paragraph::Tone::warning, text});
   s.blocks.push_back(mobility(mob, m.topology().idle));
   document::Proof p;
   p.lines.push_back({"Mobility is as declared", fmt::format("degrees of freedom by rank at home against {} declared", m.dof()),

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace pmreport::section {
 
@@ -63,6 +64,24 @@ std::string elsewhere_words(const std::string& home, const std::vector<std::stri
   std::vector<std::string> parts;
   for (const auto& [kind, n] : counts) parts.push_back(fmt::format("{} at {} of {}", kind == home ? "the same" : kind, n, kinds.size()));
   return listed(parts);
+}
+
+// "base – A1 – cylinder 1 – ... – base", or of several loops the limbs, with the joints where they are few.
+std::string loop_words(const Topology& t, const SelfStress& s) {
+  if (!s.loop.joints.empty()) return in_words(t, s.loop);
+  std::set<int> limbs;
+  std::vector<std::string> joints;
+  for (const auto& share : s.shares) {
+    const Joint& j = t.joints[static_cast<std::size_t>(share.joint)];
+    joints.push_back(j.name);
+    for (const int body : {j.a, j.b})
+      if (const int limb = t.bodies[static_cast<std::size_t>(body)].limb; limb > 0) limbs.insert(limb);
+  }
+  constexpr std::size_t few = 6;
+  std::sort(joints.begin(), joints.end());
+  std::string out = "several loops together";
+  if (!limbs.empty()) out += ", of " + limbs_listed({limbs.begin(), limbs.end()});
+  return joints.size() <= few ? out + ": " + listed(joints) : fmt::format("{}: {} joints", out, joints.size());
 }
 
 std::string symbol_of(const MobilityAt& m) { return fmt::format("{}T{}R", m.platform.translations.cols(), m.platform.rotations.cols()); }
@@ -157,21 +176,24 @@ std::vector<std::string> limb_sentences(const mechanics::Machine& machine, const
 
 Table stress_table(const Surroundings& home, const std::vector<SelfStress>& stresses) {
   Table table{"Redundant constraints at home, each as the self-stress that it allows: reactions that balance one another without a load.",
-              {"", "self-stress", "joints that share it"},
+              {"", "self-stress", "in the loop"},
               {true, false, false},
               {}};
-  for (const SelfStress& s : stresses) {
-    std::vector<std::string> joints;
-    for (const auto& share : s.shares) joints.push_back(home.machine.topology().joints[static_cast<std::size_t>(share.joint)].name);
-    const std::string speaker = joints.front();
-    std::sort(joints.begin(), joints.end());
+  const Topology& t = home.machine.topology();
+  for (std::size_t i = 0; i < stresses.size(); ++i) {
+    const SelfStress& s = stresses[i];
+    const auto in_it = [&](const SelfStress& other) { return other.loop.joints == s.loop.joints; };
+    const bool first = i == 0 || !in_it(stresses[i - 1]);
+    std::string loop = first ? loop_words(t, s) : "the same";
+    if (first && !s.loop.joints.empty()) loop += fmt::format(": {} redundant", std::count_if(stresses.begin(), stresses.end(), in_it));
     // Named by the joints that carry it: lines through joints far away would mean nothing there.
     Surroundings own = home;
     own.joints.clear();
     for (const auto& share : s.shares) own.joints.push_back(share.joint);
     std::string words = wrench_words(own, s.at_first.screw);
-    words += s.same ? ", the same at every joint of the loop" : fmt::format(" at {}, which the others balance", speaker);
-    table.rows.push_back({std::to_string(table.rows.size() + 1), words, listed(joints)});
+    words += s.same ? ", the same at every joint of the loop"
+                    : fmt::format(" at {}, which the others balance", t.joints[static_cast<std::size_t>(s.shares.front().joint)].name);
+    table.rows.push_back({std::to_string(i + 1), words, loop});
   }
   return table;
 }

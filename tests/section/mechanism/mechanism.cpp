@@ -1,8 +1,12 @@
 // Section `mechanism`: parameters, joints, bodies and mobility, as declared and as counted by hand.
 #include <catch2/catch.hpp>
 
+#include <tests/scenario/only.hpp>
+#include <tests/section/gantry.hpp>
 #include <tests/section/report_words.hpp>
 #include <tests/section/whole_report.hpp>
+
+#include <algorithm>
 
 using namespace pmreport;
 using namespace whole_report;
@@ -19,6 +23,17 @@ Row parameter(const document::Section& s, const std::string& name) {
     if (row.at(1) == name) return row;
   return {};
 }
+
+// The gantry, whose trolley has a mass and whose platform has none.
+class WithoutMass : public gantry::Gantry {
+ public:
+  using Gantry::Gantry;
+  Topology topology() const {
+    Topology t = Gantry::topology();
+    t.bodies[1].inertia = {};
+    return t;
+  }
+};
 
 }  // namespace
 
@@ -68,4 +83,31 @@ TEST_CASE("a mechanism is shown at home, in one picture") {
   REQUIRE(galleries[0]->pictures.size() == 1);
   CHECK(galleries[0]->pictures[0].id == "mechanism");
   CHECK(galleries[0]->pictures[0].png.starts_with("\x89PNG"));
+}
+
+TEST_CASE("data that look odd are warned of on the mechanism's page, and in the summary where a number depends on them") {
+  const auto warnings = [](const std::vector<document::Paragraph>& all) {
+    return std::count_if(all.begin(), all.end(), [](const document::Paragraph& p) {
+      return p.tone == document::Paragraph::Tone::warning && p.text.starts_with("Odd data: platform: the platform has no mass");
+    });
+  };
+  const auto on_page = [&](const document::Report& r) {
+    return warnings(report_words::blocks<document::Paragraph>(section_of(r, "mechanism")));
+  };
+  const document::Report sound = of_gantry(asking_for({"mechanism", "dynamics"}));
+  CHECK(on_page(sound) == 0);
+  CHECK(warnings(sound.summary) == 0);
+  const auto of_odd = [](const std::string& more) {
+    return report_of("title = \"t\"\n[mechanism]\nuse = \"gantry\"\n[motion]\nduration = \"2 s\"\nsamples = 21\n" + more,
+                     test::only<WithoutMass>());
+  };
+  const document::Report moving = of_odd(asking_for({"mechanism", "dynamics"}));
+  CHECK(on_page(moving) == 1);
+  CHECK(warnings(moving.summary) == 1);
+  const document::Report shown = of_odd(asking_for({"mechanism", "displacement"}));
+  CHECK(on_page(shown) == 1);
+  CHECK(warnings(shown.summary) == 0);
+  const document::Report weighing =
+      of_odd("[load]\ngravity = [\"0 m/s^2\", \"0 m/s^2\", \"-9.81 m/s^2\"]\n" + asking_for({"mechanism", "statics"}));
+  CHECK(warnings(weighing.summary) == 1);
 }
