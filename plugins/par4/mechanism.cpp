@@ -177,11 +177,11 @@ Par4::Par4(const Parameters& p)
       half_bar_(0.5 * p["bar_length"]),
       plate_angle_(p["plate_angle"]),
       hinge_line_(p["hinge_spacing"] * Vector3d(cos(plate_angle_), sin(plate_angle_), 0)) {
-  constexpr double azimuth[] = {-45 * deg, 45 * deg, 135 * deg, 225 * deg};
+  constexpr double x[] = {1, 1, -1, -1}, y[] = {-1, 1, 1, -1};  // azimuths -45, 45, 135 and 225 degrees
   for (const Limb limb : limbs_) {
     const int i = limb.i;
-    u_[i] = {cos(azimuth[i]), sin(azimuth[i]), 0};
-    v_[i] = {-sin(azimuth[i]), cos(azimuth[i]), 0};
+    u_[i] = sqrt(0.5) * Vector3d(x[i], y[i], 0);
+    v_[i] = sqrt(0.5) * Vector3d(-y[i], x[i], 0);
     wrist_[i] = p["platform_radius"] * u_[i] - limb.side() * half_bar_ * Vector3d::UnitX();
     elbow_[i] = p.choice("elbow" + std::to_string(i + 1)) == "out" ? 1 : -1;
   }

@@ -42,7 +42,7 @@ Table parameters(const Analysis& a) {
 
 Table joints(const mechanics::Machine& m) {
   const Topology& t = m.topology();
-  Table table{"Joints. Deflections and rotations count from home.",
+  Table table{"Joints. Deflections and rotations count from " + mechanics::origins_of(t) + ".",
               {"joint", "kind", "connects", "with", "freedoms", "from", "to"},
               {false, false, false, false, true, true, true},
               {}};
