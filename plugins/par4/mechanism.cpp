@@ -4,12 +4,11 @@
 // After Nabat et al. 2005. Limb i stands at azimuth phi_i: u_i points outwards, v_i along the motor's axis, k = Z up. The plate hangs
 // below: two halves, two bars of length 2 a between them, and four upright hinges at the corners of a parallelogram,
 //
-//          half 2          half 1            the bars turned by theta: h = a (cos(theta), sin(theta), 0)
-//       C2                        C1         the hinges of a half apart by s, 2 b long, fixed in the half
-//           H2 --- tool bar --- H1           p  the middle of the tool bar
-//            |        p         |  s         c = p - s / 2      the middle of the plate
-//           H4 --- link bar --- H3           half 1 stands at c + h, half 2 at c - h
-//       C3                        C0
+//       C3                        C2         the bars turned by theta: h = a (cos(theta), sin(theta), 0)
+//           H2 --- tool bar --- H1           the hinges of a half apart by s, 2 b long, fixed in the half
+//    half 2 |        p         |  s  half 1  p  the middle of the tool bar
+//           H4 --- link bar --- H3           c = p - s / 2      the middle of the plate
+//       C4                        C1         half 1 stands at c + h, half 2 at c - h
 //
 // Each pair of rods is a parallelogram with sides along v_i, which holds its half against turning about v_i x n_i, n_i along the rods. Two
 // limbs a half and the parallel hinges keep both halves as they are at home, so they only translate, and opposite to each other as the bars
@@ -52,7 +51,7 @@ class Par4 : public Mechanism<4> {
   static constexpr const char* title =
       "Par4: four driven arms, each with a pair of rods, and a plate that shears, 3 translations and a turn";
   static constexpr const char* source =
-      "Nabat, Rodriguez, Company, Krut, Pierrot 2005, Par4: very high speed parallel robot for pick-and-place; sizes of a Quattro s650";
+      "Nabat, Rodriguez, Company, Krut, Pierrot 2005, Par4: very high speed parallel robot for pick-and-place; sizes like a Quattro s650";
   static constexpr Parameter parameters[] = {
       Parameter::length("base_radius", 0.275, "distance R of the motors' axes from O", {0.001, 100}),
       Parameter::length("platform_radius", 0.1, "distance r of the rods from the middle of the plate, at home", {0.001, 100}),

@@ -40,7 +40,7 @@ inline std::string origin_of(const Topology& t, const Joint& j) {
   return "a direction in " + socket;
 }
 
-// Of all joints: "home", "home; of B1, B2 from axis z of platform".
+// Of all joints: "home", "home; those of B1, B2 from axis z of platform".
 inline std::string origins_of(const Topology& t) {
   std::map<std::string, std::string> declared;  // joints by origin
   for (const Joint& j : t.joints)
@@ -49,7 +49,7 @@ inline std::string origins_of(const Topology& t) {
       names += (names.empty() ? "" : ", ") + j.name;
     }
   std::string out = "home";
-  for (const auto& [origin, names] : declared) out += "; of " + names + " from " + origin;
+  for (const auto& [origin, names] : declared) out += "; those of " + names + " from " + origin;
   return out;
 }
 

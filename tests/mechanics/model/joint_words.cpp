@@ -27,7 +27,7 @@ TEST_CASE("a motion counts from home unless a ball declares a direction, told by
   t.joints[1].from = {0, -1, 0};
   CHECK(origin_of(t, t.joints[0]) == "axis z of base");
   CHECK(origin_of(t, t.joints[1]) == "axis -y of table");
-  CHECK(origins_of(t) == "home; of A from axis z of base; of B from axis -y of table");
+  CHECK(origins_of(t) == "home; those of A from axis z of base; those of B from axis -y of table");
 
   t.joints[1].from = {0, 1, 1};
   CHECK(origin_of(t, t.joints[1]) == "a direction in table");
@@ -37,5 +37,5 @@ TEST_CASE("joints that count from the same direction are told together") {
   Topology t = two_balls();
   t.add(Joint{"C", JointKind::spherical, 0, 2, {{0, 1}}, 2, {0, 0, 1}});
   t.joints[0].from = {0, 0, 1};
-  CHECK(origins_of(t) == "home; of A, C from axis z of base");
+  CHECK(origins_of(t) == "home; those of A, C from axis z of base");
 }
