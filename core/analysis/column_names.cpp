@@ -8,7 +8,7 @@ namespace pmreport::analysis {
 
 namespace {
 
-// Of a joint's motion from home.
+// Of a joint's motion.
 constexpr const char *deflection = "_deflection", *angle = "_angle";
 
 std::string suffix_of(OfMotion what) {

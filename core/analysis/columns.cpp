@@ -1,5 +1,6 @@
 #include <core/analysis/columns.hpp>
 #include <core/mechanics/model/effort.hpp>
+#include <core/mechanics/model/joint_words.hpp>
 
 #include <fmt/core.h>
 
@@ -84,7 +85,7 @@ std::vector<Column> displacement_columns(const Topology& t) {
     const bool ball = j.kind == JointKind::spherical;
     for (std::size_t k = 0; k < j.limits.size(); ++k)
       out.push_back({joint_column(j, k).name(), "rad", "joint_angle",
-                     fmt::format("{} of joint {} from home", ball ? "deflection" : "rotation", j.name)});
+                     fmt::format("{} of joint {} from {}", ball ? "deflection" : "rotation", j.name, mechanics::origin_of(t, j))});
   }
   return out;
 }

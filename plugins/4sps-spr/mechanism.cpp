@@ -14,6 +14,7 @@ using namespace pmreport;
 using Eigen::Vector3d;
 namespace {
 constexpr double pi = std::numbers::pi, deg = pi / 180;
+constexpr const char* origins[] = {"home", "normal"};
 constexpr const char* pose_names[] = {"x", "y", "z", "alpha", "beta", "gamma"};
 constexpr const char* pose_titles[] = {"X position", "Y position", "Z position", "turn about Z", "turn about Y1", "turn about X2"};
 constexpr double perpendicular_axis[] = {0, 0, 0}, platform_inertia[] = {0.03, 0.03, 0.055, 0, 0, 0};
@@ -38,8 +39,9 @@ class FourSpsSpr : public Mechanism<5> {
       Parameter::choice("dependent", pose_names, 1, "pose coordinate that follows from the revolute axis"),
       Parameter::length("stroke_min", 0.450, "shortest limb", {0.001, 100}),
       Parameter::length("stroke_max", 0.850, "longest limb", {0.001, 100}),
-      Parameter::angle("base_cone", 45 * deg, "largest deflection of a base ball joint from home", {0, pi}),
-      Parameter::angle("platform_cone", 45 * deg, "largest deflection of a platform ball joint from home", {0, pi}),
+      Parameter::angle("base_cone", 45 * deg, "largest deflection of a base ball joint", {0, pi}),
+      Parameter::angle("platform_cone", 45 * deg, "largest deflection of a platform ball joint", {0, pi}),
+      Parameter::choice("cones_from", origins, 0, "what both cones count from: home, or the normals of base and platform"),
       Parameter::angle("revolute_angle", 60 * deg, "largest rotation of the revolute joint from home", {0, pi}),
       Parameter::mass("platform_mass", 8, "mass m_o of the platform, centre of mass at p"),
       Parameter::numbers("platform_inertia", platform_inertia, {-1e6, 1e6}, 6, 6, "kg*m^2", "kg*m^2", "about p: xx yy zz xy xz yz"),
@@ -183,12 +185,13 @@ Topology FourSpsSpr::describe(const Parameters& p) const {
                       axisymmetric(p, "cylinder", p["cylinder_centre"]),
                       axisymmetric(p, "piston", -p["piston_centre"]),
                       stroke_};
+  const Vector3d normal(0, 0, p.choice("cones_from") == "normal" ? 1 : 0);
   for (const Leg& limb : limbs) {
     const std::string n = std::to_string(limb.limb);
     telescope.slender = limb.drive != spr.drive;
-    const Joint ball{"B" + n, JointKind::spherical, limb.piston, platform, {up_to(p["platform_cone"])}},
+    const Joint ball{"B" + n, JointKind::spherical, limb.piston, platform, {up_to(p["platform_cone"])}, -1, normal},
         hinge{"B" + n, JointKind::revolute, platform, limb.piston, {either_way(p["revolute_angle"])}};
-    add_leg(t, limb, n, telescope, {"A" + n, JointKind::spherical, 0, limb.cylinder, {up_to(p["base_cone"])}},
+    add_leg(t, limb, n, telescope, {"A" + n, JointKind::spherical, 0, limb.cylinder, {up_to(p["base_cone"])}, -1, normal},
             telescope.slender ? ball : hinge);
     draw_leg(t, limb, tube, 0.030 * height, 0.017 * height);
   }

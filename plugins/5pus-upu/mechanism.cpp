@@ -13,7 +13,8 @@ using namespace pmreport;
 using Eigen::Vector3d;
 namespace {
 constexpr double pi = std::numbers::pi, deg = pi / 180;
-constexpr const char *constraints[] = {"upu", "ideal"}, *platforms[] = {"improved", "pentagon", "scheme-2"}, *sides[] = {"above", "below"};
+constexpr const char *constraints[] = {"upu", "ideal"}, *platforms[] = {"improved", "pentagon", "scheme-2"}, *sides[] = {"above", "below"},
+                     *origins[] = {"home", "normal"};
 constexpr double platform_centre[] = {0.002, -0.001, 0.010}, platform_inertia[] = {0.0012, 0.0013, 0.0021, 1e-5, 0, -2e-5};
 constexpr double azimuths[] = {18 * deg, 162 * deg, 234 * deg, 306 * deg, 90 * deg};  // of A_1 to A_5
 constexpr int platform = 1, lower = 12, upper = 13;                                   // bodies of the UPU limb
@@ -43,7 +44,8 @@ class FivePusUpu : public Mechanism<5> {
       Parameter::working_mode("slider5", sides, 0, "side of ball S5 on which slider 5 stands"),
       Parameter::length("stroke_min", 0.080, "lowest place of a slider over O", {-100, 100}),
       Parameter::length("stroke_max", 0.285, "highest place of a slider over O", {-100, 100}),
-      Parameter::angle("ball_cone", 45 * deg, "largest deflection of a ball S_i from home", {0, pi}),
+      Parameter::angle("ball_cone", 45 * deg, "largest deflection of a ball S_i", {0, pi}),
+      Parameter::choice("cones_from", origins, 0, "what ball_cone counts from: home, or the platform's normal on the side of the rod"),
       Parameter::angle("rod_angle", 45 * deg, "largest rotation of the joints U1 to U5 from home, each axis", {0, pi}),
       Parameter::angle("leg_angle", 45 * deg, "largest rotation of the joints U6 and U6' from home, each axis", {0, pi}),
       Parameter::length("leg_travel", 0.120, "largest travel of P6 from home"),
@@ -205,7 +207,8 @@ Topology FivePusUpu::describe(const Parameters& p) const {
     t.add(Body{"rod " + n, limb.i + 1, false, rod});
     t.add(Joint{"P" + n, JointKind::prismatic, 0, limb.slider, {}});
     t.add(Joint{"U" + n, JointKind::universal, limb.slider, limb.rod, {turns, turns}});
-    t.add(Joint{"S" + n, JointKind::spherical, limb.rod, platform, {up_to(p["ball_cone"])}});
+    const Vector3d from_slider(0, 0, p.choice("cones_from") == "normal" ? -side_[std::size_t(limb.i)] : 0);  // as the rod's z axis runs
+    t.add(Joint{"S" + n, JointKind::spherical, limb.rod, platform, {up_to(p["ball_cone"])}, -1, from_slider});
     t.add(Actuator{"q" + n, "height of slider " + n, "m", limb.p, stroke_});
     t.derived.push_back({"rise" + n, "height of U" + n + " over S" + n, "m"});
   }

@@ -12,6 +12,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 namespace {
 constexpr double pi = std::numbers::pi, deg = pi / 180;
+constexpr const char* origins[] = {"home", "normal"};
 constexpr double home_position[] = {0, 0, 0.95}, home_angles[] = {0, 0, 0};
 
 constexpr int platform = 1;
@@ -38,7 +39,8 @@ class Gough : public Mechanism<6> {
       Parameter::length("stroke_min", 0.76, "shortest leg"),
       Parameter::length("stroke_max", 1.41, "longest leg"),
       Parameter::angle("base_cone", 60 * deg, "largest turn of a base joint from home, about either axis", {0, pi}),
-      Parameter::angle("platform_cone", 60 * deg, "largest deflection of a platform joint from home", {0, pi}),
+      Parameter::angle("platform_cone", 60 * deg, "largest deflection of a platform joint", {0, pi}),
+      Parameter::choice("cones_from", origins, 0, "what platform_cone counts from: home, or the platform's normal on the side of the legs"),
       Parameter::mass("platform_mass", 10, "mass of the platform, a disc about P"),
       Parameter::length("platform_thickness", 0.03, "thickness of the disc"),
       Parameter::mass("cylinder_mass", 4, "mass of a leg's cylinder"),
@@ -88,6 +90,7 @@ class Gough : public Mechanism<6> {
   Topology describe(const Parameters& p) const;
 
   std::array<Vector3d, 6> a_, b_, e1_;  // A_i and e1 in base axes, b_i in platform axes
+  std::array<Vector3d, 6> cone_axis_;   // of the balls, platform axes; zero: as at home
   std::array<double, 6> home_{};
   Range stroke_{};
   double mean_length_ = 0;  // of the legs at home
@@ -129,6 +132,8 @@ Gough::Gough(const Parameters& p) {
       refuse("home cannot be assembled: leg ", std::to_string(i + 1),
              " has no length there, or points along the first axis of its Cardan joint; move it with home_position or home_angles");
     mean_length_ += v.norm() / 6;
+    // A platform may hang, or stand beside its base: the normal counts on the side to which the leg runs.
+    cone_axis_[i] = {0, 0, p.choice("cones_from") == "home" ? 0.0 : r.col(2).dot(v) < 0 ? -1.0 : 1.0};
   }
   topology_ = describe(p);
 }
@@ -145,7 +150,7 @@ Topology Gough::describe(const Parameters& p) const {
   for (const Leg& leg : legs) {
     const std::string n = std::to_string(leg.limb);
     add_leg(t, leg, n, telescope, {"A" + n, JointKind::universal, 0, leg.cylinder, {turn, turn}},
-            {"B" + n, JointKind::spherical, leg.piston, platform, {cone}});
+            {"B" + n, JointKind::spherical, leg.piston, platform, {cone}, -1, cone_axis_[std::size_t(leg.drive)]});
     t.draw_along_axis(leg.cylinder, 0, std::min(cylinder, shortest), p["cylinder_radius"]);
     t.draw_along_axis(leg.piston, -std::min(rod, shortest), 0, p["rod_radius"]);
   }

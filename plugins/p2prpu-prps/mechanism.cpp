@@ -14,7 +14,7 @@ using namespace pmreport;
 using Eigen::Vector3d;
 namespace {
 constexpr double deg = std::numbers::pi / 180, half_turn = std::numbers::pi;
-constexpr const char* sides[] = {"-1", "+1"};
+constexpr const char *sides[] = {"-1", "+1"}, *origins[] = {"home", "normal"};
 constexpr double platform_inertia[] = {0.12, 0.06, 0.17, 0, 0, 0};
 
 constexpr int platform = 1, carriage = 2, slider = 3;
@@ -40,6 +40,8 @@ class P2PrpuPrps : public Mechanism<5> {
       Parameter::length("ly_max", 0.7, "largest travel of the slider either way, Eq. 16", {0.001, 100}),
       Parameter::angle("limb_angle", 60 * deg, "largest angle of a limb against Z, Eq. 17", {0, half_turn}),
       Parameter::angle("ball_angle", 30 * deg, "largest angle of limb 1 against the platform's normal, Eq. 18", {0, half_turn}),
+      Parameter::choice("cones_from", origins, 0,
+                        "what the ball S1 counts from: home, with a cone that holds that of Eq. 18, or the normal, exactly"),
       Parameter::angle("universal_angle", 30 * deg, "largest angle of a universal joint about either axis, after Eq. 19", {0, half_turn}),
       Parameter::mass("platform_mass", 15, "mass of the platform"),
       Parameter::length("platform_centre", 0.08, "centre of mass of the platform from o towards C1", {-100, 100}),
@@ -175,14 +177,17 @@ Topology P2PrpuPrps::describe(const Parameters& p) const {
   const Telescope telescope{
       "lower ", "upper ", "l", "length of limb ", axisymmetric(p, "lower", p["lower_centre"]), axisymmetric(p, "upper", -p["upper_centre"]),
       limb_};
-  // The paper's angles count from Z and from the platform's normal, a joint's from home, where the limb stands `home` off both. Of S1 the
-  // declared cone about home holds the paper's about the normal; S1_tilt is the angle that the paper limits.
+  // The paper's angles count from Z and from the platform's normal, a joint's from home, where the limb stands `home` off both. Counted
+  // from home, the cone of S1 is wider by that and holds the paper's; counted from the normal it is the paper's. S1_tilt is the angle that
+  // the paper limits, either way.
+  const bool exact = p.choice("cones_from") == "normal";
+  const Vector3d from(0, 0, exact ? 1 : 0);
   const double across[] = {x + e1_, gauge_ / 2 - e2_, e2_ - gauge_ / 2};
   for (std::size_t i = 0; i < 3; ++i) {
     const Leg& limb = limbs[i];
     const std::string n = std::to_string(limb.limb);
     const double home = atan2(across[i], z), reach = p["limb_angle"], bend = p["universal_angle"];
-    const Joint ball{"S" + n, JointKind::spherical, limb.piston, platform, {up_to(abs(home) + p["ball_angle"])}},
+    const Joint ball{"S" + n, JointKind::spherical, limb.piston, platform, {up_to(p["ball_angle"] + (exact ? 0 : abs(home)))}, -1, from},
         cardan{"U" + n, JointKind::universal, limb.piston, platform, {{-bend + home, bend + home}, either_way(bend)}};
     add_leg(t, limb, n, telescope,
             {"R" + n + "1", JointKind::revolute, i == 0 ? slider : carriage, limb.cylinder, {{-reach - home, reach - home}}},

@@ -13,6 +13,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 namespace {
 constexpr double pi = std::numbers::pi, deg = pi / 180;
+constexpr const char* origins[] = {"home", "normal"};
 constexpr const char* variants[] = {"inner", "outer"};
 
 constexpr int platform = 1;
@@ -34,7 +35,8 @@ class ParallelCross : public Mechanism<6> {
       Parameter::length("leg_max", 1.41, "longest leg"),
       Parameter::length("cross_min", 0.3, "shortest cross chain"),
       Parameter::length("cross_max", 0.95, "longest cross chain"),
-      Parameter::angle("base_cone", 60 * deg, "largest deflection of a base joint A from home", {0, pi}),
+      Parameter::angle("base_cone", 60 * deg, "largest deflection of a base joint A", {0, pi}),
+      Parameter::choice("cones_from", origins, 0, "what base_cone counts from: home, or the base's normal"),
       Parameter::angle("platform_cone", 60 * deg, "largest turn of a platform joint B from home, about either axis", {0, pi}),
       Parameter::angle("cross_cone", 60 * deg, "largest deflection of a joint C, and turn of a joint D, from home", {0, pi}),
       Parameter::mass("platform_mass", 10, "mass of the platform, a disc about P"),
@@ -181,13 +183,14 @@ Topology ParallelCross::describe(const Parameters& p) const {
                         solid_cylinder(p, "cross_rod", -p["cross_rod_length"], 0),
                         cross_stroke_};
   const Range base = up_to(p["base_cone"]), tilt = either_way(p["platform_cone"]);
+  const Vector3d upright(0, 0, p.choice("cones_from") == "normal" ? 1 : 0);
   const Range ball = up_to(p["cross_cone"]), turn = either_way(p["cross_cone"]);
   std::array cuts{bottom, l1_, l2_, p["leg_cylinder_length"]};  // drawn in pieces that end at C and D: their joints then show
   std::ranges::sort(cuts);
   for (std::size_t i = 0; i < 3; ++i) {
     const Leg& k = chains[i];
     const std::string n = std::to_string(k.limb);
-    add_leg(t, k, n, leg, {"A" + n, JointKind::spherical, 0, k.cylinder, {base}},
+    add_leg(t, k, n, leg, {"A" + n, JointKind::spherical, 0, k.cylinder, {base}, -1, upright},
             {"B" + n, JointKind::universal, platform, k.piston, {tilt, tilt}});
     for (std::size_t c = 0; c < 3; ++c)
       if (cuts[c] < cuts[c + 1]) t.draw_along_axis(k.cylinder, cuts[c], cuts[c + 1], p["leg_cylinder_radius"]);

@@ -14,6 +14,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 namespace {
 constexpr double pi = std::numbers::pi, deg = pi / 180;
+constexpr const char* origins[] = {"home", "normal"};
 
 constexpr int platform = 1;
 constexpr auto chains = legs<6>(platform + 1);  // legs 0..2, cross chains 3..5, each from a ball to a Cardan joint
@@ -33,7 +34,8 @@ class Stewart : public Mechanism<6> {
       Parameter::length("leg_max", 1.41, "longest leg"),
       Parameter::length("cross_min", 0.2, "shortest cross chain"),
       Parameter::length("cross_max", 0.9, "longest cross chain"),
-      Parameter::angle("base_cone", 60 * deg, "largest deflection of a base joint A from home", {0, pi}),
+      Parameter::angle("base_cone", 60 * deg, "largest deflection of a base joint A", {0, pi}),
+      Parameter::choice("cones_from", origins, 0, "what base_cone counts from: home, or the base's normal"),
       Parameter::angle("platform_cone", 60 * deg, "largest turn of a platform joint B from home, about either axis", {0, pi}),
       Parameter::angle("cross_cone", 60 * deg, "largest deflection of a joint C, and turn of a joint D, from home", {0, pi}),
       Parameter::mass("platform_mass", 10, "mass of the platform, a disc about P"),
@@ -161,11 +163,12 @@ Topology Stewart::describe(const Parameters& p) const {
                         solid_cylinder(p, "cross_rod", -p["cross_rod_length"], 0),
                         cross_stroke_};
   const Range base = up_to(p["base_cone"]), tilt = either_way(p["platform_cone"]);
+  const Vector3d upright(0, 0, p.choice("cones_from") == "normal" ? 1 : 0);
   const Range ball = up_to(p["cross_cone"]), turn = either_way(p["cross_cone"]);
   for (std::size_t i = 0; i < 3; ++i) {
     const Leg& k = chains[i];
     const std::string n = std::to_string(k.limb);
-    add_leg(t, k, n, leg, {"A" + n, JointKind::spherical, 0, k.cylinder, {base}},
+    add_leg(t, k, n, leg, {"A" + n, JointKind::spherical, 0, k.cylinder, {base}, -1, upright},
             {"B" + n, JointKind::universal, platform, k.piston, {tilt, tilt}});
     t.draw_along_axis(k.cylinder, 0, l2_, p["leg_cylinder_radius"]);  // in two pieces that end at D, whose joint then shows
     t.draw_along_axis(k.cylinder, l2_, p["leg_cylinder_length"], p["leg_cylinder_radius"]);

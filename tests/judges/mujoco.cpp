@@ -23,7 +23,7 @@ constexpr double force_tolerance = 1e-8;  // of the largest: promised; poses nea
 // Calls f(machine, MuJoCo's model, random numbers) for every mechanism, default parameters, in a section of its own.
 template <class F>
 void each_mechanism(F&& f) {
-  for (const char* name : {"gough", "stewart", "parallel-cross", "delta", "4sps-spr", "5pus-upu", "2q-spr", "p2prpu-prps"})
+  for (const char* name : {"gough", "stewart", "parallel-cross", "delta", "4sps-spr", "5pus-upu", "2q-spr", "p2prpu-prps", "par4"})
     DYNAMIC_SECTION(name) {
       const host::PluginFile file = host::load_plugin(std::filesystem::path(PLUGINS) / (std::string(name) + ".so"));
       const pm_mechanism& table = *file.mechanisms.at(0);

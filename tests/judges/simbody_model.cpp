@@ -1,5 +1,6 @@
 #include <tests/judges/simbody_model.hpp>
 
+#include <core/mechanics/model/generic_model.hpp>
 #include <tests/judges/simbody_system.hpp>
 
 #include <Eigen/Geometry>
@@ -84,6 +85,7 @@ class SimbodyModel::Parts {
   }
 
   Deviation deviation(const State& at) const {
+    const double length = characteristic_length(machine_);
     Deviation d{largest(state_.getQErr()), largest(state_.getUErr()), largest(state_.getUDotErr())};
     for (std::size_t b = 1; b < t_.bodies.size(); ++b) {
       const MobilizedBody& mobod = body(static_cast<int>(b));
@@ -97,7 +99,7 @@ class SimbodyModel::Parts {
       const SpatialVec &v = mobod.getBodyVelocity(state_), &a = mobod.getBodyAcceleration(state_);
       differ(d.velocity, ours.angular_velocity, v[0]);
       differ(d.velocity, ours.velocity, v[1]);
-      differ(d.acceleration, ours.angular_acceleration, a[0]);
+      differ(d.acceleration, length * ours.angular_acceleration, length * a[0]);
       differ(d.acceleration, ours.acceleration, a[1]);
     }
     return d;

@@ -36,7 +36,8 @@ class SimbodyModel {
   // What follows is at the input solved last.
 
   // By how much Simbody's constraints are violated, and its bodies differ from those of `state`, at worst: lengths [m], [m/s], [m/s^2],
-  // rotations likewise in radians, and of the spin of slender bodies no position.
+  // rotations likewise in radians, and of the spin of slender bodies no position. Angular accelerations count by what they are at the
+  // characteristic length, [m/s^2]: Simbody finds them from how far apart the joints of a body accelerate.
   struct Deviation {
     double position = 0, velocity = 0, acceleration = 0;
   };

@@ -146,7 +146,7 @@ TEST_CASE("Gough's, Stewart's and the parallel-cross mechanisms have their modes
 }
 
 TEST_CASE("every mechanism is among its own assembly modes at home") {
-  for (const std::string name : {"4sps-spr", "2q-spr", "delta", "stewart", "parallel-cross"}) {
+  for (const std::string name : {"4sps-spr", "2q-spr", "delta", "par4", "stewart", "parallel-cross"}) {
     CAPTURE(name);
     const pm_mechanism& table = test::plugin(name);
     const Machine machine(table, default_values(describe(table)));

@@ -153,7 +153,7 @@ TEST_CASE("a unique component stays whatever the joints' stiffness, an indetermi
   }
 }
 
-TEST_CASE("limbs, load and weight together give the platform its change of momentum") {
+TEST_CASE("limbs, other joints, load and weight together give the platform its change of momentum") {
   for (const test::Named& named : test::every_mechanism()) {
     const Machine& machine = *named.machine;
     const Solver solver(machine);
@@ -183,9 +183,20 @@ TEST_CASE("limbs, load and weight together give the platform its change of momen
     sum.head<3>() += weight;
     sum.tail<3>() += (s.bodies[platform].rotation * inertia.centre).cross(weight);
     double size = change.lpNorm<Eigen::Infinity>();
-    for (const Vector6d& limb : limb_wrenches(machine, s, solver.solve(s, loading))) {
-      sum += limb;
-      size = std::max(size, limb.lpNorm<Eigen::Infinity>());
+    const JointReactions reactions = solver.solve(s, loading);
+    const auto add = [&](const Vector6d& w) {
+      sum += w;
+      size = std::max(size, w.lpNorm<Eigen::Infinity>());
+    };
+    for (const Vector6d& limb : limb_wrenches(machine, s, reactions)) add(limb);
+    // A platform of several bodies hangs on the others by joints that belong to no limb, here without drives.
+    for (std::size_t j = 0; j < reactions.joints.size(); ++j) {
+      const Joint& joint = machine.topology().joints[j];
+      const bool is_a = joint.a == machine.topology().platform, is_b = joint.b == machine.topology().platform;
+      if ((!is_a && !is_b) || machine.topology().bodies[static_cast<std::size_t>(is_a ? joint.b : joint.a)].limb != 0) continue;
+      Vector6d w = reactions.joints[j];
+      w.tail<3>() += (s.joints[j].centre - fixed).cross(w.head<3>());
+      add(is_b ? w : Vector6d(-w));
     }
     CHECK((sum - change).lpNorm<Eigen::Infinity>() < 1e-8 * size);
   }

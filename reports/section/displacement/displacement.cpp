@@ -1,4 +1,5 @@
 // Section `displacement`.
+#include <core/mechanics/model/joint_words.hpp>
 #include <reports/section/common/kinematic_plots.hpp>
 #include <reports/section/common/limits.hpp>
 #include <reports/section/common/words.hpp>
@@ -8,6 +9,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <set>
 
 namespace pmreport::section {
 
@@ -16,11 +18,22 @@ using document::Section;
 
 namespace {
 
+// "motion from home", or from the direction that all the balls of a panel declare.
+std::string motion_from(const Analysis& a, const std::vector<Trace>& curves) {
+  const Topology& t = a.machine().topology();
+  std::set<std::string> origins;
+  for (const Joint& j : t.joints)
+    for (std::size_t k = 0; k < j.limits.size(); ++k)
+      for (const Trace& c : curves)
+        if (c.column == analysis::joint_column(j, k)) origins.insert(mechanics::origin_of(t, j));
+  return origins.size() == 1 ? "motion from " + *origins.begin() : "motion";
+}
+
 // Joint motions: in one panel as long as they are few, else those of one letter in one: A1 A2 ..., B1 B2 ...
 void add_joints(figure::Figure& f, const Analysis& a) {
   constexpr std::size_t few = 10;
   const std::vector<Trace> all = group(a, analysis::displacement_columns, "joint_angle");
-  if (all.size() <= few) return add_panel(f, a, "joints", "motion from home", "rad", all);
+  if (all.size() <= few) return add_panel(f, a, "joints", motion_from(a, all), "rad", all);
   std::vector<std::pair<std::string, std::vector<Trace>>> kinds;
   for (const Trace& c : all) {
     const std::string& name = c.column.name();
@@ -28,7 +41,7 @@ void add_joints(figure::Figure& f, const Analysis& a) {
     const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.first == letters; });
     (found != kinds.end() ? *found : kinds.emplace_back(letters, std::vector<Trace>{})).second.push_back(c);
   }
-  for (const auto& [letters, curves] : kinds) add_panel(f, a, "joints " + letters, "motion from home", "rad", curves);
+  for (const auto& [letters, curves] : kinds) add_panel(f, a, "joints " + letters, motion_from(a, curves), "rad", curves);
 }
 
 }  // namespace
@@ -53,7 +66,7 @@ Result displacement_section(const Analysis& a) {
   s.blocks.push_back(Paragraph{Paragraph::Tone::plain, words});
 
   figure::Figure f{"displacement",
-                   "Pose of the platform, actuators, and joint motions from home, against time.",
+                   "Pose of the platform, actuators, and joint motions, against time. Joints count from " + mechanics::origins_of(t) + ".",
                    "data/displacement.csv",
                    figure::Width::full,
                    2,

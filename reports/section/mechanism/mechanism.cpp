@@ -43,13 +43,10 @@ Table parameters(const Analysis& a) {
 
 Table joints(const mechanics::Machine& m) {
   const Topology& t = m.topology();
-  Table table{
-      "Joints. Deflections and rotations count from home, or of a ball from the direction that the row gives, in axes of the body that "
-      "holds "
-      "the ball.",
-      {"joint", "kind", "connects", "with", "freedoms", "from", "to"},
-      {false, false, false, false, true, true, true},
-      {}};
+  Table table{"Joints. Deflections and rotations count from " + mechanics::origins_of(t) + ".",
+              {"joint", "kind", "connects", "with", "freedoms", "from", "to"},
+              {false, false, false, false, true, true, true},
+              {}};
   const auto body = [&](int i) { return t.bodies[static_cast<std::size_t>(i)].name; };
   for (const Joint& j : t.joints) {
     const Actuator* drive = nullptr;
