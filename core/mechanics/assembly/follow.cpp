@@ -23,12 +23,15 @@ class Tracks {
   void search(const LookedAt& looked);
   void exchange();
   void resolve();
+  void explain_the_lost();
   void count();
 
  private:
   bool enter(const ModePlace& place, int sample);
   bool known(const Pose& pose, int sample) const;
   std::size_t track_at(const Pose& pose, int sample, std::size_t but) const;
+  void go_on(ModeTrack& track, bool birth);
+  ModeEnd& end_of(std::size_t track, bool birth) { return birth ? out_.tracks[track].begins : out_.tracks[track].ends; }
   bool same_values(int a, int b) const;
   std::size_t at(int k) const { return static_cast<std::size_t>(k); }
 
@@ -38,12 +41,12 @@ class Tracks {
   const std::vector<double>& times_;
   ModeTracks& out_;
   std::vector<ModeFollower::Places> places_;
-  struct Fold {  // the end of a track whose partner is not known yet
+  struct End {
     std::size_t track;
     bool birth;
     ModeFollower::Stop stop;
   };
-  std::vector<Fold> folds_;
+  std::vector<End> folds_, lost_;  // whose partners are not known yet, and that have no partner beyond a fold
 };
 
 bool Tracks::known(const Pose& pose, int sample) const {
@@ -57,6 +60,17 @@ std::size_t Tracks::track_at(const Pose& pose, int sample, std::size_t but) cons
   return no_track;
 }
 
+// A track came upon an older one that could not be followed to here: the two are one mode. Where several come upon it, as after a fork,
+// one of them goes on with it, and the others meet it there.
+void Tracks::go_on(ModeTrack& track, bool birth) {
+  ModeEnd& end = birth ? track.begins : track.ends;
+  ModeEnd& older = end_of(end.with, !birth);
+  if (older.how == ModeEnd::How::beyond)
+    end = {ModeEnd::How::meets, older.time, end.with};
+  else
+    older.how = ModeEnd::How::beyond;
+}
+
 bool Tracks::enter(const ModePlace& place, int sample) {
   if (known(place.pose, sample)) return false;
   ModeTrack track{place.word, std::vector<double>(times_.size(), nan), {}, {}};
@@ -65,11 +79,11 @@ bool Tracks::enter(const ModePlace& place, int sample) {
   for (const bool birth : {false, true}) {
     ModeFollower::Stop stop = follower_.run(place, sample, birth ? -1 : 1, own, places_);
     (birth ? track.begins : track.ends) = stop.end;
-    if (stop.end.how == ModeEnd::How::beyond && stop.end.with < number) {  // it goes on as an older track
-      ModeTrack& older = out_.tracks[stop.end.with];
-      (birth ? older.ends : older.begins).how = ModeEnd::How::beyond;
-    }
-    if (stop.partner) folds_.push_back({number, birth, std::move(stop)});
+    if (stop.end.how == ModeEnd::How::beyond && stop.end.with < number) go_on(track, birth);
+    if (stop.partner)
+      folds_.push_back({number, birth, std::move(stop)});
+    else if (stop.end.how == ModeEnd::How::lost)
+      lost_.push_back({number, birth, std::move(stop)});
   }
   for (std::size_t k = 0; k < own.size(); ++k)
     if (own[k]) track.distance[k] = follower_.apart(own[k]->pose, follower_.pose(static_cast<int>(k)));
@@ -90,8 +104,8 @@ void Tracks::name(const AssemblyModes& found, int start) {
 // Whom the tracks met where they ended: the mechanism's own mode, a track, or a mode that nobody has seen yet.
 void Tracks::resolve() {
   for (std::size_t i = 0; i < folds_.size(); ++i) {
-    const Fold fold = folds_[i];
-    ModeEnd& end = fold.birth ? out_.tracks[fold.track].begins : out_.tracks[fold.track].ends;
+    const End fold = folds_[i];
+    ModeEnd& end = end_of(fold.track, fold.birth);
     const ModePlace& partner = *fold.stop.partner;
     const int sample = fold.stop.sample;
     if (follower_.is_own(partner.pose, sample)) {
@@ -103,9 +117,22 @@ void Tracks::resolve() {
     const std::size_t next = out_.tracks.size();
     if (!enter(partner, sample)) continue;
     ++out_.further;
-    (fold.birth ? out_.tracks[fold.track].begins : out_.tracks[fold.track].ends).with = next;
+    end_of(fold.track, fold.birth).with = next;
   }
   folds_.clear();
+}
+
+// Where three modes or more meet at once, as symmetry makes them do, there is none beyond a fold: they are told by being in one place.
+void Tracks::explain_the_lost() {
+  for (const End& e : lost_) {
+    ModeEnd& end = end_of(e.track, e.birth);
+    if (end.how != ModeEnd::How::lost) continue;
+    std::size_t with = no_track;
+    for (std::size_t j = 0; j < places_.size() && with == no_track; ++j)
+      if (j != e.track && places_[j][at(e.stop.sample)] && follower_.near_at(e.stop, places_[j][at(e.stop.sample)])) with = j;
+    if (with == no_track && follower_.near_at(e.stop, {})) with = own_mode;
+    if (with != no_track) end = {ModeEnd::How::meets, end.time, with};
+  }
 }
 
 bool Tracks::same_values(int a, int b) const {
@@ -187,6 +214,7 @@ ModeTracks follow_assembly_modes(const AssemblyModes& found, const std::vector<d
   out.searched.push_back(start);
   for (const LookedAt& l : looked) tracks.search(l);
   tracks.exchange();
+  tracks.explain_the_lost();
   tracks.count();
   return out;
 }

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double shortest = 1.0 / (1 << 20);  // of the time between two samples: how exactly the time of a mode's end is known
 constexpr double near = 0.15;                 // of the characteristic length: the farthest that a mode goes in one step
+constexpr double next_word = 0.02;            // likewise, from one word of the working mode into the next
+constexpr double meeting = 0.02;              // likewise, between modes that are about to meet
 constexpr double probe = 1e-3;                // half way between the slopes whose change is taken
 constexpr double roughly = 0.01;              // likewise, and of axes
 
@@ -67,7 +69,7 @@ bool ModeFollower::neighbours(std::size_t a, std::size_t b) const {
 
 // From the mode at time t to that at time `to`. False where it ends before; t is then when.
 bool ModeFollower::step(ModePlace& place, double& t, double to) {
-  const double least = std::abs(to - t) * shortest;
+  const double least = std::abs(to - t) * shortest, edge = std::abs(to - t) / 256;
   double h = to - t;
   while (t != to) {
     const double next = std::abs(to - t) <= std::abs(h) ? to : t + h;
@@ -76,9 +78,10 @@ bool ModeFollower::step(ModePlace& place, double& t, double to) {
     if (there.status == PM_OK) {
       const SmallVector l = actuators(there);
       found = solve(place, l, place.word, near);
-      if (!found && std::abs(h) <= 4 * least)
+      // Close to the edge, and not too close: the other word's slopes grow without bound there.
+      if (!found && std::abs(h) <= edge && leaves_reach(place, t, to))
         for (std::size_t w = 0; w < words_.size() && !found; ++w)
-          if (neighbours(place.word, w)) found = solve(place, l, w, near);
+          if (neighbours(place.word, w)) found = solve(place, l, w, next_word);
     }
     if (found) {
       place = std::move(*found);
@@ -167,10 +170,21 @@ double ModeFollower::meeting_time(ModePlace a, std::optional<ModePlace> b, doubl
   return to;
 }
 
+// `other` nothing: the motion's own.
+bool ModeFollower::near_at(const Stop& stop, const std::optional<ModePlace>& other) {
+  double t = times_[static_cast<std::size_t>(stop.sample)];
+  std::optional<ModePlace> there = other;
+  if (there && !step(*there, t, stop.end.time) &&
+      std::abs(t - stop.end.time) > 1e-3 * std::abs(t - times_[static_cast<std::size_t>(stop.sample)]))
+    return false;
+  const Pose pose = there ? there->pose : motion_(stop.end.time);
+  return pose.status == PM_OK && apart(stop.last.pose, pose) < meeting * length_;
+}
+
 ModeFollower::Stop ModeFollower::run(ModePlace place, int sample, int direction, Places& places, const std::vector<Places>& others) {
   const auto at = [](int k) { return static_cast<std::size_t>(k); };
   places[at(sample)] = place;
-  Stop stop{{ModeEnd::How::beyond, times_[at(sample)], no_track}, sample, {}};
+  Stop stop{{ModeEnd::How::beyond, times_[at(sample)], no_track}, sample, {}, {}};
   for (int k = sample + direction; k >= 0 && k < samples(); k += direction) {
     if (pose(k).status != PM_OK) return stop;
     double t = times_[at(k - direction)];
@@ -183,6 +197,7 @@ ModeFollower::Stop ModeFollower::run(ModePlace place, int sample, int direction,
       } else {
         stop.end.how = leaves_reach(next, t, times_[at(k)]) ? ModeEnd::How::reach : ModeEnd::How::lost;
       }
+      stop.last = std::move(next);
       return stop;
     }
     std::size_t met = is_own(next.pose, k) ? own_mode : no_track;

@@ -37,10 +37,14 @@ class ModeFollower {
     ModeEnd end;
     int sample = 0;                    // the last at which the mode is
     std::optional<ModePlace> partner;  // at that sample
+    ModePlace last;                    // of the mode, at the time of its end
   };
   // From a sample on, forwards or backwards; fills where the mode is. Ends where it comes upon a mode of `others`: then they have met, and
   // cannot be told apart from there on.
   Stop run(ModePlace place, int sample, int direction, Places& places, const std::vector<Places>& others);
+
+  // Whether another mode, at a sample, is about in the same place at the time of an end: where more than two meet, none is beyond a fold.
+  bool near_at(const Stop& stop, const std::optional<ModePlace>& other);
 
   // A mode at the actuator values of a sample, by Newton's method from a place that may be far.
   std::optional<ModePlace> from_afar(const ModePlace& from, int sample);

@@ -29,6 +29,13 @@ std::pair<int, int> ends_of(const ModesAlong& along) {
   return {static_cast<int>(first - count.begin()), static_cast<int>(count.rend() - last) - 1};
 }
 
+// Whether the mode that is met ends there as well: where three meet, one may go on.
+bool both_end(const ModesAlong& along, const ModeEvent& e) {
+  const mechanics::ModeTrack& other = along.tracks.tracks[e.with];
+  const ModeEnd& end = e.birth ? other.begins : other.ends;
+  return end.how == ModeEnd::How::meets && end.with == e.track;
+}
+
 std::string what(const ModesAlong& along, const ModeEvent& e) {
   const std::string mode = fmt::format("mode {}", along.numbers[e.track]);
   const char *one = e.birth ? "comes into being" : "vanishes", *both = e.birth ? "come into being" : "vanish";
@@ -37,6 +44,8 @@ std::string what(const ModesAlong& along, const ModeEvent& e) {
       if (e.with == mechanics::own_mode) return fmt::format("{} {}: it meets the mode of the mechanism on a singular surface", mode, one);
       if (e.with == mechanics::no_track)
         return fmt::format("{} {}: it meets another on a singular surface, which exists for less than a sample", mode, one);
+      if (!both_end(along, e))
+        return fmt::format("{} {}: it meets mode {} on a singular surface, which goes on", mode, one, along.numbers[e.with]);
       return fmt::format(
           "modes {} {}: they meet on a singular surface",
           listed({std::to_string(along.numbers[std::min(e.track, e.with)]), std::to_string(along.numbers[std::max(e.track, e.with)])}),

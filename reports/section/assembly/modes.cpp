@@ -226,4 +226,28 @@ std::string searched(const AssemblyModes& found) {
   return s + "There is no proof that there are no more.";
 }
 
+std::string beyond_the_coordinates(const Analysis& a, const mechanics::FurtherModes& further) {
+  std::string s = fmt::format(
+      "The table has the poses that the {} and the working modes of the mechanism express. Whether its joints allow others with these "
+      "actuator values, the platform turned or moved otherwise, was tried on the bodies and joints alone: Newton's method from {} random "
+      "starts closed all joints {}",
+      plural(a.machine().dof(), "coordinate"), further.starts, further.arrivals == 1 ? "once" : fmt::format("{} times", further.arrivals));
+  const auto all = static_cast<int>(further.poses.size());
+  const auto isolated = static_cast<int>(
+      std::count_if(further.poses.begin(), further.poses.end(), [](const mechanics::FurtherPose& p) { return p.isolated; }));
+  if (all == 0) {
+    s += further.arrivals > 0 ? ", always in a pose that they express." : ".";
+  } else {
+    s += fmt::format(", and found {} of the platform that they cannot express, the nearest {} away",
+                     plural(isolated > 0 ? isolated : all, isolated > 0 ? "isolated pose" : "pose"),
+                     show(further.poses.front().distance, "m"));
+    if (isolated < all) s += isolated > 0 ? ", and besides some on continua" : ", all on continua";
+    s += ".";
+  }
+  if (further.missed > 0)
+    s += fmt::format(" {} in the table had been missed by the search above.",
+                     plural(further.missed, "mode that is not", "modes that are not"));
+  return s;
+}
+
 }  // namespace pmreport::section

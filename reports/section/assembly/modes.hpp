@@ -1,7 +1,7 @@
 // What is said and shown of the modes that a search has found.
 #pragma once
 
-#include <core/mechanics/assembly/assembly.hpp>
+#include <core/mechanics/assembly/further.hpp>
 #include <reports/section/common/stage.hpp>
 
 #include <optional>
@@ -11,6 +11,8 @@ namespace pmreport::section {
 
 std::string counted(const mechanics::AssemblyModes& found);
 std::string searched(const mechanics::AssemblyModes& found);  // how it went, and what follows from it
+// What the joints allow beside the poses that the coordinates express.
+std::string beyond_the_coordinates(const Analysis& a, const mechanics::FurtherModes& further);
 
 document::Table table_of_modes(const Analysis& a, const mechanics::AssemblyModes& found);
 document::Table table_of_continua(const Analysis& a, const mechanics::AssemblyModes& found);
