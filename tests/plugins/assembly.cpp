@@ -20,7 +20,8 @@ Eigen::VectorXd actuators_at(const Machine& machine, const Eigen::VectorXd& q) {
 
 // What holds of every mode of every mechanism; the pose that the actuators are taken from is the first.
 void check_modes(const Machine& machine, const AssemblyModes& found, double length) {
-  CHECK(found.complete_search);
+  CHECK(found.complete_search());
+  CHECK(found.ended == AssemblyModes::Ended::quiet);
   for (std::size_t i = 0; i < found.modes.size(); ++i) {
     const AssemblyMode& m = found.modes[i];
     CAPTURE(i, found.words[m.word].name, m.coordinates.transpose());

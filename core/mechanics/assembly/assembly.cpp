@@ -8,8 +8,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <ranges>
+#include <tuple>
 
 namespace pmreport::mechanics {
 
@@ -104,6 +106,18 @@ bool within_limits(const Machine& machine, const Closure& closure, const std::ve
   return true;
 }
 
+// Its pose nearest to another, and the one that is farthest from that.
+void measure(ModeContinuum& c, const Machine& m, const Pose& there, double length) {
+  const auto best = [&](const Pose& from, auto better) {
+    std::pair<double, std::size_t> out{distance(m, c.poses.front(), from, length), 0};
+    for (std::size_t k = 1; k < c.poses.size(); ++k)
+      if (const double d = distance(m, c.poses[k], from, length); better(d, out.first)) out = {d, k};
+    return out;
+  };
+  if (there.status == PM_OK) std::tie(c.distance, c.nearest) = best(there, std::less{});
+  std::tie(c.extent, c.farthest) = best(c.poses[c.nearest], std::greater{});
+}
+
 // What is told of each mode, and their order. The closure is that of the machine asked about, so that a mode in another working mode is a
 // pose of the same bodies with the same joints.
 void judge(AssemblyModes& found, const AssemblyTarget& target, const Eigen::VectorXd& reference) {
@@ -116,9 +130,7 @@ void judge(AssemblyModes& found, const AssemblyTarget& target, const Eigen::Vect
     name_plainly(m, mode, AssemblySearch::same_placement * target.size());
     mode.residual = target.error(Eigen::Map<const Eigen::VectorXd>(mode.pose.numbers.data() + m.layout().actuator(0), m.dof()))
                         .lpNorm<Eigen::Infinity>();
-    double g[36];
-    m.jacobian(PM_VALUE, 1, mode.pose.numbers.data(), g);
-    mode.determinant = linear::determinant(Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(g));
+    mode.determinant = linear::determinant(m.jacobian(mode.pose).matrix);
     mode.distance = there.status == PM_OK ? distance(m, mode.pose, there, length) : 0;
     const std::vector<BodyState> bodies = bodies_at_rest(m, mode.pose);
     const ClosureError error = closure.error(bodies);
@@ -127,6 +139,8 @@ void judge(AssemblyModes& found, const AssemblyTarget& target, const Eigen::Vect
     mode.within_limits = within_limits(own, closure, bodies, mode.pose);
   }
   std::ranges::stable_sort(found.modes, {}, &AssemblyMode::distance);
+  for (ModeContinuum& c : found.continua) measure(c, target.machine(c.word), there, length);
+  std::ranges::stable_sort(found.continua, {}, &ModeContinuum::distance);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <core/mechanics/assembly/curve.hpp>
 
+#include <core/linear/least_norm.hpp>
 #include <core/linear/square.hpp>
 
 #include <algorithm>
@@ -10,7 +11,8 @@
 namespace pmreport::mechanics {
 
 Walk<Arrival> newton(Halt& halt, std::size_t word, SmallVector u, double reach, int max_steps) {
-  constexpr double converged = 1e-14, good = 1e-11;  // a few roundings; what rounding may leave where the pose is sensitive
+  constexpr double converged = 1e-14, good = 1e-11;   // a few roundings; what rounding may leave where the pose is sensitive
+  constexpr double blown_up = 1e7, truncated = 1e-9;  // a step by the error; of the largest pivot: rounding, in a slope without full rank
   Arrival out;
   double best = std::numeric_limits<double>::infinity();
   SmallVector step = SmallVector::Zero(u.size());
@@ -28,6 +30,7 @@ Walk<Arrival> newton(Halt& halt, std::size_t word, SmallVector u, double reach, 
     if (miss <= converged || (best <= good && miss >= best)) break;
     best = miss;
     step = linear::SmallFactors(here.slope).solve(here.error);
+    if (!(step.lpNorm<Eigen::Infinity>() < blown_up * miss)) step = linear::least_norm_solution(here.slope, here.error, truncated);
     const double longest = step.lpNorm<Eigen::Infinity>();
     if (!(longest < 1e12)) break;
     if (longest > reach) step *= reach / longest;
@@ -155,7 +158,7 @@ Walk<SolutionCurveEnd> trace(Halt& halt, SolutionCurve curve, const AssemblyTarg
     if (!next || next->tangent.dot(now.tangent) < 0.85) {
       h *= 0.5;
       if (h < (at_edge ? edge_step : shortest_step)) {
-        end = {at_edge ? SolutionCurveEnd::How::out_of_reach : SolutionCurveEnd::How::far, now.u, now.tangent, bend, end.steps};
+        end = {at_edge ? SolutionCurveEnd::How::out_of_reach : SolutionCurveEnd::How::cut, now.u, now.tangent, bend, end.steps};
         co_return end;
       }
       continue;
@@ -178,10 +181,13 @@ Walk<SolutionCurveEnd> trace(Halt& halt, SolutionCurve curve, const AssemblyTarg
       co_return end;
     }
     homing = ahead > 0 && to_first.norm() < 2 * longest_step;
-    if (now.u.norm() > far) break;
+    if (now.u.norm() > far) {
+      end.how = SolutionCurveEnd::How::far;
+      co_return end;
+    }
     h = std::min(longest_step, h * std::clamp(std::sqrt(0.03 / std::max(away, 1e-6)), 0.5, 2.0));
   }
-  end.how = SolutionCurveEnd::How::far;
+  end.how = SolutionCurveEnd::How::cut;
   co_return end;
 }
 

@@ -12,8 +12,8 @@ struct Arrival {  // of Newton's method
   Site site;  // the mode
 };
 
-// Newton on error(u) = 0 from `u`. No step is longer than `reach` in any number; from afar the steps wander rather than descend, which
-// costs little and gets past the minima of the error that are no mode.
+// Newton on error(u) = 0 from `u`; where the slope has lost rank, by steps of least norm. No step is longer than `reach` in any number;
+// from afar the steps wander rather than descend, which costs little and gets past the minima of the error that are no mode.
 Walk<Arrival> newton(Halt& halt, std::size_t word, SmallVector u, double reach, int max_steps);
 
 // Where the actuators are held but for moving in one common way, say only one of them, or all in given proportions, a mechanism has one
@@ -35,7 +35,8 @@ struct SolutionCurveEnd {
   enum class How {
     closed,        // came back to its start
     out_of_reach,  // the pose cannot be assembled any further: two words of the working mode meet there
-    far,           // left for infinity, or went on for too long
+    far,           // left for infinity
+    cut,           // went on for too long, or no step along it was short enough
     lost           // never got on the curve
   } how = How::lost;
   SmallVector u, tangent, bend;  // the last pose, and du/ds and d2u/ds2 there

@@ -1,10 +1,9 @@
 #include <core/mechanics/assembly/follow.hpp>
 
-#include <core/mechanics/displacement/displacement.hpp>
+#include <core/mechanics/assembly/follower.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <ranges>
 
 namespace pmreport::mechanics {
@@ -12,164 +11,211 @@ namespace pmreport::mechanics {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double shortest = 1.0 / 1024;  // of the time between two samples: how exactly the time of a mode's end is known
-constexpr double near = 0.15;            // of the characteristic length: the farthest that a mode goes in one step
-constexpr double same = 1e-5;            // likewise: two modes that are one
+constexpr double same_actuators = 1e-9;  // of the characteristic length, or rad: values of one pose
 
-struct Place {
-  std::size_t word = 0;
-  SmallVector q;
-  Pose pose;
-};
-
-class Follower {
+class Tracks {
  public:
-  Follower(const std::vector<WorkingMode>& words, const std::vector<double>& times, const PoseAt& motion, double length)
-      : words_(words), times_(times), motion_(motion), length_(length) {
-    for (const WorkingMode& w : words) solvers_.push_back(std::make_unique<ForwardSolver>(*w.machine));
-    for (const double t : times) poses_.push_back(motion(t));
-  }
+  Tracks(const AssemblyModes& found, const std::vector<double>& times, const PoseAt& motion, double length, ModeTracks& out)
+      : words_(found.words), length_(length), follower_(found.words, times, motion, length), times_(times), out_(out) {}
 
-  const Pose& pose(int sample) const { return poses_[static_cast<std::size_t>(sample)]; }
-  int samples() const { return static_cast<int>(times_.size()); }
-  SmallVector actuators(const Pose& pose) const {
-    const Machine& own = *words_.front().machine;
-    return Eigen::Map<const Eigen::VectorXd>(pose.numbers.data() + own.layout().actuator(0), own.dof());
-  }
-  double apart(const Pose& a, const Pose& b) const { return distance(*words_.front().machine, a, b, length_); }
-
-  // Where a mode is at each sample.
-  using Places = std::vector<std::optional<Place>>;
-
-  // Fills the distances of a track, and where its mode is, from a sample on, forwards or backwards. Ends where it comes upon a mode of
-  // `others`: then they have met on a singular surface, and cannot be told apart from there on.
-  void run(ModeTrack& track, Place place, int sample, int direction, Places& places, const std::vector<Places>& others);
+  void enter(const AssemblyModes& modes, int sample);
+  void name(const AssemblyModes& found, int start);
+  void search(const LookedAt& looked);
+  void exchange();
+  void resolve();
+  void explain_the_lost();
+  void count();
 
  private:
-  bool met(const Place& place, std::size_t sample, const std::vector<Places>& others) const;
-  bool step(Place& place, double& t, double to);
-  bool neighbours(std::size_t a, std::size_t b) const;
-  std::optional<Place> solve(const Place& from, const SmallVector& actuators, std::size_t word);
+  bool enter(const ModePlace& place, int sample);
+  bool known(const Pose& pose, int sample) const;
+  std::size_t track_at(const Pose& pose, int sample, std::size_t but) const;
+  void go_on(ModeTrack& track, bool birth);
+  ModeEnd& end_of(std::size_t track, bool birth) { return birth ? out_.tracks[track].begins : out_.tracks[track].ends; }
+  bool same_values(int a, int b) const;
+  std::size_t at(int k) const { return static_cast<std::size_t>(k); }
 
   const std::vector<WorkingMode>& words_;
-  const std::vector<double>& times_;
-  const PoseAt& motion_;
   double length_;
-  std::vector<std::unique_ptr<ForwardSolver>> solvers_;
-  std::vector<Pose> poses_;
+  ModeFollower follower_;
+  const std::vector<double>& times_;
+  ModeTracks& out_;
+  std::vector<ModeFollower::Places> places_;
+  struct End {
+    std::size_t track;
+    bool birth;
+    ModeFollower::Stop stop;
+  };
+  std::vector<End> folds_, lost_;  // whose partners are not known yet, and that have no partner beyond a fold
 };
 
-std::optional<Place> Follower::solve(const Place& from, const SmallVector& actuators, std::size_t word) {
-  const ForwardSolution s = solvers_[word]->solve(actuators, from.q);
-  if (s.outcome != Outcome::good) return {};
-  Place to{word, s.coordinates, words_[word].machine->pose({s.coordinates.data(), static_cast<std::size_t>(s.coordinates.size())})};
-  if (to.pose.status != PM_OK || apart(from.pose, to.pose) > near * length_) return {};
-  return to;
+bool Tracks::known(const Pose& pose, int sample) const {
+  return follower_.is_own(pose, sample) || track_at(pose, sample, no_track) != no_track;
 }
 
-// A limb that comes to the edge of its reach goes on in its other solution: words that differ in one choice.
-bool Follower::neighbours(std::size_t a, std::size_t b) const {
-  const ParameterValues &x = words_[a].machine->values(), &y = words_[b].machine->values();
-  int different = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) different += x[i] != y[i];
-  return different == 1;
+// The track, other than one, that is at a pose; no_track: none.
+std::size_t Tracks::track_at(const Pose& pose, int sample, std::size_t but) const {
+  for (std::size_t j = 0; j < places_.size(); ++j)
+    if (j != but && places_[j][at(sample)] && follower_.one(places_[j][at(sample)]->pose, pose)) return j;
+  return no_track;
 }
 
-// From the mode at time t to that at time `to`. False where it ends before; t is then when.
-bool Follower::step(Place& place, double& t, double to) {
-  const double least = std::abs(to - t) * shortest;
-  double h = to - t;
-  while (t != to) {
-    const double next = std::abs(to - t) <= std::abs(h) ? to : t + h;
-    const Pose there = motion_(next);
-    std::optional<Place> found;
-    if (there.status == PM_OK) {
-      const SmallVector l = actuators(there);
-      found = solve(place, l, place.word);
-      if (!found && std::abs(h) <= 4 * least)
-        for (std::size_t w = 0; w < words_.size() && !found; ++w)
-          if (neighbours(place.word, w)) found = solve(place, l, w);
-    }
-    if (found) {
-      place = std::move(*found);
-      t = next;
-      h *= 2;
-    } else if (std::abs(h) <= least) {
-      return false;
-    } else {
-      h = (next - t) / 2;
-    }
+// A track came upon an older one that could not be followed to here: the two are one mode. Where several come upon it, as after a fork,
+// one of them goes on with it, and the others meet it there.
+void Tracks::go_on(ModeTrack& track, bool birth) {
+  ModeEnd& end = birth ? track.begins : track.ends;
+  ModeEnd& older = end_of(end.with, !birth);
+  if (older.how == ModeEnd::How::beyond)
+    end = {ModeEnd::How::meets, older.time, end.with};
+  else
+    older.how = ModeEnd::How::beyond;
+}
+
+bool Tracks::enter(const ModePlace& place, int sample) {
+  if (known(place.pose, sample)) return false;
+  ModeTrack track{place.word, std::vector<double>(times_.size(), nan), {}, {}};
+  ModeFollower::Places own(times_.size());
+  const std::size_t number = out_.tracks.size();
+  for (const bool birth : {false, true}) {
+    ModeFollower::Stop stop = follower_.run(place, sample, birth ? -1 : 1, own, places_);
+    (birth ? track.begins : track.ends) = stop.end;
+    if (stop.end.how == ModeEnd::How::beyond && stop.end.with < number) go_on(track, birth);
+    if (stop.partner)
+      folds_.push_back({number, birth, std::move(stop)});
+    else if (stop.end.how == ModeEnd::How::lost)
+      lost_.push_back({number, birth, std::move(stop)});
   }
+  for (std::size_t k = 0; k < own.size(); ++k)
+    if (own[k]) track.distance[k] = follower_.apart(own[k]->pose, follower_.pose(static_cast<int>(k)));
+  out_.tracks.push_back(std::move(track));
+  places_.push_back(std::move(own));
   return true;
 }
 
-bool Follower::met(const Place& place, std::size_t sample, const std::vector<Places>& others) const {
-  return apart(place.pose, poses_[sample]) < same * length_ || std::ranges::any_of(others, [&](const Places& other) {
-           return other[sample] && apart(place.pose, other[sample]->pose) < same * length_;
-         });
+void Tracks::enter(const AssemblyModes& modes, int sample) {
+  for (const AssemblyMode& m : modes.modes) enter(ModePlace{m.word, m.coordinates, m.pose}, sample);
 }
 
-void Follower::run(ModeTrack& track, Place place, int sample, int direction, Places& places, const std::vector<Places>& others) {
-  double t = times_[static_cast<std::size_t>(sample)];
-  bool& ends = direction > 0 ? track.vanishes : track.born;
-  for (int k = sample; k >= 0 && k < samples() && !ends; k += direction) {
-    const auto at = static_cast<std::size_t>(k);
-    const double before = t;
-    ends = k != sample && (pose(k).status != PM_OK || !step(place, t, times_[at]));
-    if (!ends && k != sample && met(place, at, others)) {
-      ends = true;
-      t = before;
+void Tracks::name(const AssemblyModes& found, int start) {
+  for (const AssemblyMode& m : found.modes)
+    out_.of_found.push_back(follower_.is_own(m.pose, start) ? own_mode : track_at(m.pose, start, no_track));
+}
+
+// Whom the tracks met where they ended: the mechanism's own mode, a track, or a mode that nobody has seen yet.
+void Tracks::resolve() {
+  for (std::size_t i = 0; i < folds_.size(); ++i) {
+    const End fold = folds_[i];
+    ModeEnd& end = end_of(fold.track, fold.birth);
+    const ModePlace& partner = *fold.stop.partner;
+    const int sample = fold.stop.sample;
+    if (follower_.is_own(partner.pose, sample)) {
+      end.with = own_mode;
+      continue;
     }
-    if (ends) break;
-    track.distance[at] = apart(place.pose, pose(k));
-    places[at] = place;
+    end.with = track_at(partner.pose, sample, fold.track);
+    if (end.with != no_track) continue;
+    const std::size_t next = out_.tracks.size();
+    if (!enter(partner, sample)) continue;
+    ++out_.further;
+    end_of(fold.track, fold.birth).with = next;
   }
-  (direction > 0 ? track.ends : track.begins) = t;
+  folds_.clear();
+}
+
+// Where three modes or more meet at once, as symmetry makes them do, there is none beyond a fold: they are told by being in one place.
+void Tracks::explain_the_lost() {
+  for (const End& e : lost_) {
+    ModeEnd& end = end_of(e.track, e.birth);
+    if (end.how != ModeEnd::How::lost) continue;
+    std::size_t with = no_track;
+    for (std::size_t j = 0; j < places_.size() && with == no_track; ++j)
+      if (j != e.track && places_[j][at(e.stop.sample)] && follower_.near_at(e.stop, places_[j][at(e.stop.sample)])) with = j;
+    if (with == no_track && follower_.near_at(e.stop, {})) with = own_mode;
+    if (with != no_track) end = {ModeEnd::How::meets, end.time, with};
+  }
+}
+
+bool Tracks::same_values(int a, int b) const {
+  const Machine& own = *words_.front().machine;
+  SmallVector change = follower_.actuators(follower_.pose(a)) - follower_.actuators(follower_.pose(b));
+  for (Eigen::Index i = 0; i < change.size(); ++i)
+    if (own.topology().actuators[static_cast<std::size_t>(i)].sense() == Sense::linear) change(i) /= length_;
+  return change.lpNorm<Eigen::Infinity>() < same_actuators;
+}
+
+void Tracks::search(const LookedAt& looked) {
+  const Pose& pose = follower_.pose(looked.sample);
+  if (pose.status != PM_OK) return;
+  const bool done = std::ranges::any_of(out_.searched, [&](int k) { return same_values(k, looked.sample); });
+  out_.searched.push_back(looked.sample);
+  if (done) return;
+  const Machine& own = *words_.front().machine;
+  enter(find_assembly_modes(own, follower_.actuators(pose), own.home(), looked.options), looked.sample);
+  resolve();
+}
+
+// What is known where one search looked is a start for Newton's method where the others did, until that brings nothing new.
+void Tracks::exchange() {
+  for (bool fresh = true; fresh;) {
+    fresh = false;
+    for (const int from : out_.searched)
+      for (const int to : out_.searched) {
+        if (from == to) continue;
+        for (std::size_t j = 0; j < places_.size(); ++j) {
+          if (!places_[j][at(from)]) continue;
+          const std::optional<ModePlace> found = follower_.from_afar(*places_[j][at(from)], to);
+          if (!found || !enter(*found, to)) continue;
+          ++out_.further;
+          fresh = true;
+          resolve();
+        }
+      }
+  }
+}
+
+void Tracks::count() {
+  out_.nearest.assign(times_.size(), nan);
+  out_.count.assign(times_.size(), 0);
+  out_.least = nan;
+  for (std::size_t k = 0; k < times_.size(); ++k) out_.count[k] = follower_.pose(static_cast<int>(k)).status == PM_OK;
+  for (std::size_t i = 0; i < out_.tracks.size(); ++i)
+    for (std::size_t k = 0; k < times_.size(); ++k) {
+      const double d = out_.tracks[i].distance[k];
+      if (std::isnan(d)) continue;
+      ++out_.count[k];
+      if (!(d >= out_.nearest[k])) out_.nearest[k] = d;
+      if (d >= out_.least) continue;
+      out_.least = d;
+      out_.least_sample = static_cast<int>(k);
+      out_.least_track = i;
+    }
+  // A meeting of two tracks is one event.
+  for (std::size_t i = 0; i < out_.tracks.size(); ++i)
+    for (const bool birth : {false, true}) {
+      const ModeEnd& e = birth ? out_.tracks[i].begins : out_.tracks[i].ends;
+      if (e.how == ModeEnd::How::beyond) continue;
+      const bool told = std::ranges::any_of(out_.events, [&](const ModeEvent& o) {
+        return o.how == ModeEnd::How::meets && o.birth == birth && o.with == i && o.track == e.with;
+      });
+      if (!told) out_.events.push_back({e.time, birth, e.how, i, e.with});
+    }
+  std::ranges::stable_sort(out_.events, {}, &ModeEvent::time);
 }
 
 }  // namespace
 
 ModeTracks follow_assembly_modes(const AssemblyModes& found, const std::vector<double>& times, const PoseAt& motion, int start,
-                                 const std::vector<int>& later, double length, const AssemblyOptions& options) {
+                                 const std::vector<LookedAt>& looked, double length) {
   ModeTracks out;
-  Follower follower(found.words, times, motion, length);
-  std::vector<Follower::Places> places;
-  const auto add = [&](const AssemblyMode& m, int sample) {
-    ModeTrack track{m.word, std::vector<double>(times.size(), nan), times.front(), times.back(), false, false};
-    Follower::Places own(times.size());
-    for (const int direction : {1, -1}) follower.run(track, {m.word, m.coordinates, m.pose}, sample, direction, own, places);
-    places.push_back(std::move(own));
-    out.tracks.push_back(std::move(track));
-  };
-  const auto is_own = [&](const AssemblyMode& m, int sample) {
-    return follower.apart(m.pose, follower.pose(sample)) < same * length && m.word == 0;
-  };
-  for (const AssemblyMode& m : found.modes)
-    if (!is_own(m, start)) add(m, start);
-  const Machine& own = *found.words.front().machine;
-  for (const int sample : later) {
-    if (follower.pose(sample).status != PM_OK) continue;
-    const Eigen::VectorXd actuators = follower.actuators(follower.pose(sample));
-    const AssemblyModes anew = find_assembly_modes(own, actuators, own.home(), options);
-    for (const AssemblyMode& m : anew.modes) {
-      const auto at = static_cast<std::size_t>(sample);
-      const bool known =
-          std::ranges::any_of(places, [&](const auto& p) { return p[at] && follower.apart(p[at]->pose, m.pose) < same * length; });
-      if (!known && !is_own(m, sample)) add(m, sample);
-    }
-  }
-  out.nearest.assign(times.size(), nan);
-  out.least = nan;
-  for (std::size_t i = 0; i < out.tracks.size(); ++i)
-    for (std::size_t k = 0; k < times.size(); ++k) {
-      const double d = out.tracks[i].distance[k];
-      if (d < out.nearest[k] || (std::isnan(out.nearest[k]) && std::isfinite(d))) out.nearest[k] = d;
-      if (d < out.least || (std::isnan(out.least) && std::isfinite(d))) {
-        out.least = d;
-        out.least_sample = static_cast<int>(k);
-        out.least_track = i;
-      }
-    }
+  Tracks tracks(found, times, motion, length, out);
+  tracks.enter(found, start);
+  tracks.name(found, start);
+  tracks.resolve();
+  out.searched.push_back(start);
+  for (const LookedAt& l : looked) tracks.search(l);
+  tracks.exchange();
+  tracks.explain_the_lost();
+  tracks.count();
   return out;
 }
 

@@ -16,7 +16,6 @@ constexpr double pi = std::numbers::pi;
 constexpr std::size_t walkers = 16;  // as many as are placed together
 constexpr double verified = 1e-10;   // largest residual of a mode, by substitution
 constexpr int often = 4;             // starts that reach a mode, so that the rarest of all is likely to have been seen
-constexpr double fold = 1e-9;        // a mode whose actuator slopes have this determinant lies on a singular surface
 
 }  // namespace
 
@@ -27,6 +26,7 @@ AssemblySearch::AssemblySearch(std::span<const std::unique_ptr<Machine>> machine
       machines_(machines),
       target_(machines, actuators),
       placer_(target_),
+      continua_(target_),
       home_(target_.numbers(machines.front()->home())),
       random_(options.seed) {
   releases();
@@ -62,45 +62,80 @@ bool AssemblySearch::same_bodies(const Machine& m, const Pose& a, const Pose& b,
   return true;
 }
 
+std::size_t AssemblySearch::known_mode(const Machine& m, const Pose& pose, double near) const {
+  for (std::size_t k = 0; k < out_.modes.size(); ++k)
+    if (same_bodies(m, pose, out_.modes[k].pose, near * target_.size())) return k;
+  return no_mode;
+}
+
+// Whether no more modes are kept; that ends the search.
+bool AssemblySearch::full() {
+  if (out_.modes.size() + continua_.size() < options_.most_modes) return false;
+  out_.ended = AssemblyModes::Ended::most_modes;
+  return true;
+}
+
+AssemblySearch::Entry AssemblySearch::enter_continuum(const Site& site, int start) {
+  if (full()) return {};
+  continua_.enter(site);
+  quiet_ = 0;
+  if (start > 0) out_.last_new = start, continua_.count_start(continua_.size() - 1);
+  return {no_mode, true, true};
+}
+
 // The mode at a site, entered among the modes if it is new: bodies and platform stand where no other mode has them.
-std::size_t AssemblySearch::enter(const Site& site, int start) {
+AssemblySearch::Entry AssemblySearch::enter(const Site& site, int start) {
   const Machine& m = *machines_[site.word];
   SmallVector q = target_.coordinates(site.u);
   for (Eigen::Index i = 0; i < q.size(); ++i)
     if (target_.angle(i)) q(i) = std::remainder(q(i), 2 * pi);
   const Pose pose = m.pose({q.data(), static_cast<std::size_t>(q.size())});
-  if (pose.status != PM_OK) return no_mode;
+  if (pose.status != PM_OK) return {};
   const double residual =
       target_.error(Eigen::Map<const Eigen::VectorXd>(pose.numbers.data() + m.layout().actuator(0), m.dof())).lpNorm<Eigen::Infinity>();
-  if (!(residual <= verified)) return no_mode;
-  // At a fold two modes are one, found to half the digits only.
-  const linear::SmallFactors slope(site.slope);
-  const double near = std::abs(slope.determinant()) < fold ? std::sqrt(same_placement) : same_placement;
-  for (std::size_t k = 0; k < out_.modes.size(); ++k)
-    if (same_bodies(m, pose, out_.modes[k].pose, near * target_.size())) return k;
-  if (out_.modes.size() >= options_.most_modes) {
-    out_.complete_search = false;
-    return no_mode;
+  if (!(residual <= verified)) return {};
+  std::size_t mode = known_mode(m, pose, same_placement);
+  if (mode != no_mode) return {mode, true, false};
+  if (const std::optional<std::size_t> known = continua_.holding(site)) {
+    if (start > 0) continua_.count_start(*known);
+    return {no_mode, true, false};
   }
-  AssemblyMode mode;
-  mode.word = site.word;
-  mode.coordinates = q;
-  mode.pose = pose;
-  out_.modes.push_back(mode);
+  const Root root = continua_.judge(site);
+  if (root == Root::continuum) return enter_continuum(site, start);
+  // A double root is found to half the digits only.
+  if (root == Root::twofold) mode = known_mode(m, pose, std::sqrt(same_placement));
+  if (mode != no_mode) return {mode, true, false};
+  if (full()) return {};
+  AssemblyMode entered;
+  entered.word = site.word;
+  entered.coordinates = q;
+  entered.pose = pose;
+  entered.twofold = root == Root::twofold;
+  entered.chart = root == Root::chart;
+  mode = out_.modes.size();
+  out_.modes.push_back(entered);
   released_.emplace_back(releases_.size(), false);
   quiet_ = 0;
   if (start > 0) out_.last_new = start;
+  if (root == Root::chart) return {mode, true, true};  // its curves turn by any angle here without moving a body
+  const linear::SmallFactors slope(site.slope);
   for (const Release& r : releases_) {
     const SmallVector tangent = slope.solve(r.share);
-    if (tangent.allFinite()) lines_.push_back({{site.word, &r, site.u, tangent}, out_.modes.size() - 1, false});
+    if (tangent.allFinite()) lines_.push_back({{site.word, &r, site.u, tangent}, mode, false});
   }
-  return out_.modes.size() - 1;
+  return {mode, true, true};
 }
 
-bool AssemblySearch::enough() const {
-  if (out_.starts >= options_.most_starts || !out_.complete_search) return true;
-  return quiet_ >= std::max(options_.quiet_arrivals, 12 * static_cast<int>(out_.modes.size())) &&
-         std::ranges::all_of(out_.modes, [](const AssemblyMode& m) { return m.reached_by_starts >= often; });
+bool AssemblySearch::enough() {
+  if (out_.ended == AssemblyModes::Ended::most_modes) return true;
+  const auto known = static_cast<int>(out_.modes.size() + continua_.size());
+  if (quiet_ >= std::max(options_.quiet_arrivals, 12 * known) &&
+      std::ranges::all_of(out_.modes, [](const AssemblyMode& m) { return m.reached_by_starts >= often; }) &&
+      continua_.least_starts() >= often)
+    return true;
+  if (out_.starts < options_.most_starts) return false;
+  out_.ended = AssemblyModes::Ended::most_starts;
+  return true;
 }
 
 // Starts over the whole space: angles all around, positions in boxes about home of all sizes up to `widest`. Poses that cannot be assembled
@@ -161,7 +196,7 @@ void AssemblySearch::begin_trace(const Line& line) {
   if (line.mode != no_mode) released_[line.mode][released] = true;
   ++out_.curves;
   task.trace = trace(*task.halt, line.curve, target_, [this, mode = line.mode, released](const Site& site) {
-    const std::size_t passed = enter(site, 0);
+    const std::size_t passed = enter(site, 0).mode;
     if (passed == no_mode) return false;
     // A curve that comes from an edge of reach need not go on where another has been.
     const bool end = mode == no_mode ? released_[passed][released] : passed == mode;
@@ -183,7 +218,10 @@ bool AssemblySearch::begin_next() {
   }
   if (enough()) return false;
   for (int tries = 0; candidates_.empty() && tries < 64; ++tries) more_candidates();
-  if (candidates_.empty()) return false;
+  if (candidates_.empty()) {
+    out_.ended = AssemblyModes::Ended::no_start;
+    return false;
+  }
   begin_start(candidates_.front().first, candidates_.front().second);
   candidates_.pop_front();
   return true;
@@ -196,6 +234,7 @@ void AssemblySearch::cross_the_edge(const SolutionCurve& curve, const SolutionCu
   for (const auto& [release, u] : edges_)
     if (release == curve.release && (u - end.u).norm() < 0.02) return;
   edges_.emplace_back(curve.release, end.u);
+  if (!neighbours_[curve.word].empty()) ++out_.edges;
   for (const std::size_t word : neighbours_[curve.word]) {
     lines_.push_back({{word, curve.release, end.u, -end.tangent}, no_mode, false});
     for (const double s : {0.02, 0.06}) {
@@ -208,6 +247,8 @@ void AssemblySearch::cross_the_edge(const SolutionCurve& curve, const SolutionCu
 void AssemblySearch::finish(Task& task) {
   if (task.trace) {
     const SolutionCurveEnd end = task.trace->result();
+    out_.curves_cut += end.how == SolutionCurveEnd::How::cut;
+    out_.curves_far += end.how == SolutionCurveEnd::How::far;
     if (end.how == SolutionCurveEnd::How::out_of_reach) cross_the_edge(task.line.curve, end);
     if (end.how == SolutionCurveEnd::How::closed || task.line.mode == no_mode || task.line.back) return;
     Line back = task.line;
@@ -218,11 +259,11 @@ void AssemblySearch::finish(Task& task) {
   }
   const Arrival a = task.start->result();
   if (!a.found) return;
-  const std::size_t before = out_.modes.size(), mode = enter(a.site, task.number);
-  if (mode == no_mode) return;
+  const Entry entry = enter(a.site, task.number);
+  if (!entry.solution) return;
   ++out_.arrivals;
-  ++out_.modes[mode].reached_by_starts;
-  if (out_.modes.size() == before) ++quiet_;
+  if (entry.mode != no_mode) ++out_.modes[entry.mode].reached_by_starts;
+  if (!entry.fresh) ++quiet_;
 }
 
 void AssemblySearch::run(const Eigen::VectorXd& reference) {
@@ -247,6 +288,7 @@ void AssemblySearch::run(const Eigen::VectorXd& reference) {
       }
     }
   }
+  out_.continua = continua_.take();
 }
 
 }  // namespace pmreport::mechanics

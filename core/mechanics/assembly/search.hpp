@@ -2,6 +2,7 @@
 #pragma once
 
 #include <core/mechanics/assembly/assembly.hpp>
+#include <core/mechanics/assembly/continuum.hpp>
 #include <core/mechanics/assembly/curve.hpp>
 
 #include <deque>
@@ -17,7 +18,7 @@ namespace pmreport::mechanics {
 class AssemblySearch {
  public:
   // `machines`: one for each word of the working mode. What is found is entered into `out`, whose modes hold no more than their word,
-  // coordinates, pose and the starts that reached them.
+  // coordinates, pose, kind of root and the starts that reached them, its continua their poses.
   AssemblySearch(std::span<const std::unique_ptr<Machine>> machines, const Eigen::VectorXd& actuators, const AssemblyOptions& options,
                  AssemblyModes& out);
 
@@ -53,8 +54,15 @@ class AssemblySearch {
   void finish(Task& task);
   void cross_the_edge(const SolutionCurve& curve, const SolutionCurveEnd& end);
   void more_candidates();
-  std::size_t enter(const Site& site, int start);
-  bool enough() const;
+  struct Entry {                           // where a site belongs
+    std::size_t mode = no_mode;            // the isolated mode
+    bool solution = false, fresh = false;  // it has the actuator values; nothing like it was known
+  };
+  Entry enter(const Site& site, int start);
+  std::size_t known_mode(const Machine& m, const Pose& pose, double near) const;
+  Entry enter_continuum(const Site& site, int start);
+  bool full();
+  bool enough();
 
   const AssemblyOptions& options_;
   AssemblyModes& out_;
@@ -62,6 +70,7 @@ class AssemblySearch {
   std::vector<std::vector<std::size_t>> neighbours_;  // words that differ in one choice
   AssemblyTarget target_;
   AssemblyPlacer placer_;
+  ContinuumSearch continua_;
   std::vector<Release> releases_;
   SmallVector home_;
   std::mt19937_64 random_;

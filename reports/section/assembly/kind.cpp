@@ -37,7 +37,9 @@ void complete(scenario::TableReader& table, const scenario::Reading& r, scenario
 }
 
 std::vector<scenario::Quantity> quantities(const scenario::Options*) {
-  return {{"assembly.modes", "", "real assembly modes"},
+  return {{"assembly.modes", "", "real assembly modes that are isolated"},
+          {"assembly.continua", "", "continua of poses with the same actuator values"},
+          {"assembly.further", "", "poses of the platform with the same actuator values that its coordinates cannot express"},
           {"assembly.own_working_mode", "", "real assembly modes in the working mode of the scenario"},
           {"assembly.nearest", "m", "least distance along the motion to another assembly mode", false, true}};
 }

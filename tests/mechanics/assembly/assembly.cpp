@@ -1,15 +1,15 @@
 #include <core/mechanics/assembly/assembly.hpp>
 
-#include <core/mechanics/assembly/follow.hpp>
-#include <core/mechanics/model/generic_model.hpp>
 #include <pmreport/mechanism.hpp>
+#include <tests/mechanics/assembly/actuators_at.hpp>
+#include <tests/mechanics/assembly/crank_angles.hpp>
 #include <tests/mechanics/mechanisms.hpp>
-#include <tests/mechanics/slider_crank.hpp>
 
 #include <catch2/catch.hpp>
 
 using namespace pmreport;
 using namespace pmreport::mechanics;
+using test::actuators_at, test::crank_angles, test::modes_at, test::shortly;
 
 namespace {
 
@@ -68,33 +68,6 @@ class Ellipsograph : public Mechanism<1> {
  private:
   double side_;
 };
-
-Eigen::VectorXd actuators_at(const Machine& machine, const Eigen::VectorXd& q) {
-  const Pose pose = machine.pose({q.data(), static_cast<std::size_t>(q.size())});
-  REQUIRE(pose.status == PM_OK);
-  return Eigen::Map<const Eigen::VectorXd>(pose.numbers.data() + machine.layout().actuator(0), machine.dof());
-}
-
-// A short search: it is enough for mechanisms of a test, which are not compiled for speed.
-AssemblyOptions shortly() {
-  AssemblyOptions o;
-  o.quiet_arrivals = 60;
-  o.most_starts = 150;
-  return o;
-}
-
-AssemblyModes modes_at(const Machine& machine, const Eigen::VectorXd& q) {
-  return find_assembly_modes(machine, actuators_at(machine, q), q, shortly());
-}
-
-// The angles at which the pin of the slider-crank is a rod's length from the slider at s: r^2 + |C|^2 - 2 r (Cx cos + Cy sin) = L^2.
-std::vector<double> crank_angles(double s) {
-  const double r = 0.2, length = 0.5;
-  const Eigen::Vector3d c = test::SliderCrank::c0() + s * test::SliderCrank::e();
-  const double middle = std::atan2(c.y(), c.x());
-  const double half = std::acos((r * r + c.squaredNorm() - length * length) / (2 * r * std::hypot(c.x(), c.y())));
-  return {middle - half, middle + half};
-}
 
 }  // namespace
 
@@ -212,55 +185,4 @@ TEST_CASE("the distance of two poses counts the way and the turn, weighed by a l
   CHECK(distance(machine, a, b, 0.2) == Approx(0.05).epsilon(1e-12));
   CHECK(distance(machine, b, a, 0.2) == Approx(0.05).epsilon(1e-12));
   CHECK(distance(machine, a, a, 0.2) == Approx(0).margin(1e-7));  // the angle of a rounding is the root of it
-}
-
-TEST_CASE("the other mode of a slider-crank is followed along a motion and comes nearest where the crank is nearest to its dead centre") {
-  const Machine machine = test::make(test::slider_crank());
-  const auto theta = [](double t) { return 1.0 - 0.4 * std::sin(pi * t); };
-  const PoseAt motion = [&](double t) {
-    const double q = theta(t);
-    return machine.pose({&q, 1});
-  };
-  std::vector<double> times;
-  for (int k = 0; k <= 40; ++k) times.push_back(k / 40.0);
-  const double length = characteristic_length(machine);
-  for (const int start : {0, 13, 40}) {
-    const AssemblyModes found = modes_at(machine, Eigen::VectorXd::Constant(1, theta(times[static_cast<std::size_t>(start)])));
-    const ModeTracks tracks = follow_assembly_modes(found, times, motion, start, {}, length, {});
-    REQUIRE(tracks.tracks.size() == 1);
-    CHECK_FALSE(tracks.tracks[0].born);
-    CHECK_FALSE(tracks.tracks[0].vanishes);
-    double least = 10;
-    for (std::size_t k = 0; k < times.size(); ++k) {
-      const std::vector<double> both = crank_angles(actuators_at(machine, Eigen::VectorXd::Constant(1, theta(times[k])))(0));
-      const double apart = length * std::abs(std::remainder(both[1] - both[0], 2 * pi));  // the reference point O stands still
-      CHECK(tracks.tracks[0].distance[k] == Approx(apart).epsilon(1e-9));
-      least = std::min(least, apart);
-    }
-    CHECK(tracks.least == Approx(least).epsilon(1e-9));
-  }
-}
-
-TEST_CASE("two modes that meet on a singular surface vanish at that time") {
-  // The slider goes out to where the circle of the pin and the sphere of the rod only touch; beyond there is no pose, and no motion either.
-  const Machine machine = test::make(test::slider_crank());
-  const double dead = [&] {  // crank angle at which d s / d theta = 0, by the middle of the two modes
-    double q = 0.8;
-    for (int k = 0; k < 200; ++k) {
-      const std::vector<double> both = crank_angles(actuators_at(machine, Eigen::VectorXd::Constant(1, q))(0));
-      q = 0.5 * (both[0] + both[1]);
-    }
-    return q;
-  }();
-  const PoseAt motion = [&](double t) {  // at t = 1 through the dead centre
-    const double q = dead + 0.5 * (1 - t);
-    return machine.pose({&q, 1});
-  };
-  std::vector<double> times;
-  for (int k = 0; k <= 20; ++k) times.push_back(0.1 * k + 0.05);
-  const AssemblyModes found = modes_at(machine, Eigen::VectorXd::Constant(1, dead + 0.5 * (1 - times[0])));
-  const ModeTracks tracks = follow_assembly_modes(found, times, motion, 0, {}, characteristic_length(machine), {});
-  REQUIRE(tracks.tracks.size() == 1);
-  CHECK(tracks.tracks[0].vanishes);
-  CHECK(tracks.tracks[0].ends == Approx(1).margin(0.06));  // between the samples on either side
 }
