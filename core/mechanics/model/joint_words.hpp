@@ -3,8 +3,10 @@
 
 #include <pmreport/topology.hpp>
 
-#include <map>
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace pmreport::mechanics {
 
@@ -42,12 +44,16 @@ inline std::string origin_of(const Topology& t, const Joint& j) {
 
 // Of all joints: "home", "home; those of B1, B2 from axis z of platform".
 inline std::string origins_of(const Topology& t) {
-  std::map<std::string, std::string> declared;  // joints by origin
-  for (const Joint& j : t.joints)
-    if (std::string origin = origin_of(t, j); origin != "home") {
-      std::string& names = declared[std::move(origin)];
-      names += (names.empty() ? "" : ", ") + j.name;
-    }
+  std::vector<std::pair<std::string, std::string>> declared;  // origin, joints; in the order of the joints
+  for (const Joint& j : t.joints) {
+    if (j.from.isZero()) continue;
+    const std::string origin = origin_of(t, j);
+    const auto known = std::find_if(declared.begin(), declared.end(), [&](const auto& d) { return d.first == origin; });
+    if (known == declared.end())
+      declared.emplace_back(origin, j.name);
+    else
+      known->second += ", " + j.name;
+  }
   std::string out = "home";
   for (const auto& [origin, names] : declared) out += "; those of " + names + " from " + origin;
   return out;
