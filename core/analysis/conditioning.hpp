@@ -14,6 +14,7 @@ struct HoldingWrenches {
   int side = 0;  // of the singular surface; 0: on it, to rounding, or there is no pose
   double determinant = std::numeric_limits<double>::quiet_NaN();
   double condition = std::numeric_limits<double>::infinity();
+  double amplification = std::numeric_limits<double>::infinity();  // of a load of unit size, moments per characteristic length
 
   bool are_comparable() const { return side != 0 && condition < comparable; }
   bool are_singular() const { return side == 0 || !(condition < singular); }

@@ -78,3 +78,34 @@ TEST_CASE("a broken promise names its place and says what it was") {
     CHECK(std::string(e.what()).find("square.cpp:") != std::string::npos);
   }
 }
+
+TEST_CASE("the sign of a determinant is told as far as rounding of the rows lets it be known") {
+  pmreport::test::Matrices random(17);
+  int told = 0;
+  for (int k = 0; k < 50; ++k) {
+    const Matrix6d a = random(6, 6);
+    const int sign = sign_of_determinant(a);
+    CHECK(sign == (determinant(a) > 0 ? 1 : -1));
+    told += sign;
+    Matrix6d swapped = a;
+    swapped.row(0).swap(swapped.row(3));
+    CHECK(sign_of_determinant(swapped) == -sign);
+    // A row is a wrench over a lever: however short the lever, the wrench is the same.
+    Matrix6d stretched = a;
+    stretched.row(2) *= 1e12, stretched.row(5) *= 1e-9;
+    CHECK(sign_of_determinant(stretched) == sign);
+
+    // Five rows and a combination of them, rounded: a determinant that is rounding has no sign.
+    Matrix6d dependent = a;
+    dependent.row(4) = 0.3 * a.row(0) - 0.7 * a.row(1) + 0.2 * a.row(2);
+    CHECK(sign_of_determinant(dependent) == 0);
+    dependent.row(4) += 1e-9 * a.row(4);
+    CHECK(sign_of_determinant(dependent) == sign);
+  }
+  CHECK(std::abs(told) < 50);
+  Matrix6d a = random(6, 6);
+  a.row(1).setZero();
+  CHECK(sign_of_determinant(a) == 0);
+  a(1, 3) = std::nan("");
+  CHECK(sign_of_determinant(a) == 0);
+}

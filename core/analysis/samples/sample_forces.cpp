@@ -72,7 +72,8 @@ void SampleForces::prove(const Order& order, const mechanics::ForceShares& share
   for (const SmallVector* share : {&shares.load, &shares.gravity, &shares.inertia})
     scale = std::max(scale, share->lpNorm<Eigen::Infinity>());
   set(row, Measure::newton_euler, relative((total - reactions_.actuator_forces).lpNorm<Eigen::Infinity>(), scale));
-  if (order.judged) set(row, Measure::judge, judge());
+  // Where the one system over all bodies is the only way there is, it is no judge of itself.
+  if (order.judged && dynamics_.limb_by_limb()) set(row, Measure::judge, judge());
 }
 
 void SampleForces::solve(std::span<const Order> orders) {

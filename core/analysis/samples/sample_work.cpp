@@ -45,7 +45,7 @@ Outcome SampleWork::run(int sample, int previous, Row& row, const Put& put) {
   if (state_.status != PM_OK) return Outcome::failed;
 
   const mechanics::ClosedForm c = closed_form(machine_, state_, length_);
-  wrenches_ = {c.side, c.wrench_determinant, c.wrench_condition};
+  wrenches_ = {c.side, c.wrench_determinant, c.wrench_condition, c.amplification};
   const bool rates = asked_.velocity_evidence || asked_.acceleration_evidence;
   const mechanics::GenericModel model = rates || asked_.statics ? generic_model(machine_, state_) : mechanics::GenericModel{};
   kinematics(put, c);

@@ -14,11 +14,9 @@ namespace {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-double condition_of(const Matrix6d& g) {
-  if (!g.allFinite()) return std::numeric_limits<double>::infinity();
-  const Vector6d sigma = linear::singular_values(g);
-  return sigma(5) > 0 ? sigma(0) / sigma(5) : std::numeric_limits<double>::infinity();
-}
+// Singular values, zero where the matrix is not known.
+Vector6d spectrum(const Matrix6d& g) { return g.allFinite() ? linear::singular_values(g) : Vector6d::Zero(); }
+double over(double x, double y) { return y > 0 ? x / y : std::numeric_limits<double>::infinity(); }
 
 }  // namespace
 
@@ -34,10 +32,13 @@ ClosedForm closed_form(const Machine& machine, const State& state, double length
   }
   c.determinant = linear::determinant(c.jacobian);
   c.side = side_of(c.jacobian, length);
-  c.condition = condition_of(dimensionless(machine, c.jacobian, length));
+  const Vector6d sigma = spectrum(dimensionless(machine, c.jacobian, length));
+  c.condition = over(sigma(0), sigma(5));
   const Matrix6d wrenches = unit_wrenches(c.jacobian, length);
   c.wrench_determinant = linear::determinant(wrenches);
-  c.wrench_condition = condition_of(wrenches);
+  const Vector6d of_wrenches = spectrum(wrenches);
+  c.wrench_condition = over(of_wrenches(0), of_wrenches(5));
+  c.amplification = over(1, of_wrenches(5));
   return c;
 }
 

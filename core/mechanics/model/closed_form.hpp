@@ -16,6 +16,7 @@ struct ClosedForm {
   double condition = 0;              // of G^, 1 at best; infinite where G is singular
   double wrench_determinant = 0;     // of the unit wrenches G_
   double wrench_condition = 0;       // of these: what a solution by G loses, whatever the levers of the actuators
+  double amplification = 0;          // of these: the largest sum of squares, as a root, that a load of unit size asks of them
 };
 // Of an assembled pose: `state.status` is PM_OK. `length`: characteristic_length(machine) [m]. Where the plugin gives no G the numbers are
 // not finite, and the side is 0.

@@ -44,6 +44,8 @@ class InverseDynamics::Work {
     loads_.resize(6 * chunk());
   }
 
+  bool limb_by_limb() const { return plan_.has_value(); }
+
   void solve(std::size_t count, const double* jets, const double* loads, const Eigen::Vector3d& gravity, MotionReactions& out,
              bool reactions) {
     if (dense_) return dense_->solve(count, jets, loads, gravity, out, reactions);
@@ -150,5 +152,7 @@ void InverseDynamics::solve(std::size_t count, const double* jets, const double*
   PMREPORT_ASSERT(work_ != nullptr && jets != nullptr && loads != nullptr, "there is a motion and a load");
   work_->solve(count, jets, loads, gravity, out, reactions);
 }
+
+bool InverseDynamics::limb_by_limb() const { return work_->limb_by_limb(); }
 
 }  // namespace pmreport::mechanics

@@ -30,6 +30,8 @@ class InverseDynamics {
   // `reactions` false: actuator forces alone. Reuses the memory of `out`. Keeps buffers: one object a thread.
   void solve(std::size_t count, const double* jets, const double* loads, const Eigen::Vector3d& gravity, MotionReactions& out,
              bool reactions = true);
+  // False where the structure is none that is cut at its platform: then one system over all bodies answers, as in `dense_reactions`.
+  bool limb_by_limb() const;
 
  private:
   class Work;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace pmreport::section {
 
@@ -17,6 +18,8 @@ namespace {
 constexpr std::size_t few = 3;  // of a sort are told one by one
 // From this condition number of the unit wrenches on the platform on, a load asks for forces out of all proportion, and a report says so.
 constexpr double poor_hold = 1000;
+// Of home's hold of all bodies: from here on the same.
+constexpr double loose = 0.01;
 
 const char* meaning(What what) {
   switch (what) {
@@ -57,6 +60,21 @@ std::vector<SampleRun> singular_runs(const Analysis& a) {
     return a.outcome(k) == Outcome::singular &&
            std::ranges::none_of(a.crossings(), [&](const Crossing& c) { return t >= c.time && t <= c.until; });
   });
+}
+
+// The sample at which the constraints of all bodies, actuators locked, hold them least, and how much of home's hold is left.
+struct Loosest {
+  double share = 0;
+  int sample = 0;
+};
+std::optional<Loosest> loosest(const Analysis& a) {
+  constexpr auto locked = mechanics::BodyFreedoms::locked;
+  std::optional<Loosest> out;
+  for (std::size_t k = 0; k < a.margins().at_sample.size(); ++k) {
+    const double share = a.margins().at_sample[k][locked] / a.margins().at_home[locked];
+    if (std::isfinite(share) && (!out || share < out->share)) out = {share, static_cast<int>(k)};
+  }
+  return out;
 }
 
 // Sample of the poorest hold among those that hold at all; -1: none.
@@ -143,9 +161,15 @@ std::vector<std::string> nearness_sentences(const Analysis& a) {
   }
   if (const int k = poorest(a); k >= 0 && a.wrenches(k).condition > poor_hold)
     out.push_back(fmt::format(
-        "At t = {} the motion is nearly singular: the wrenches on the platform have the condition number {}, so that a load may ask for "
-        "forces of that many times its size.",
-        show_time(a, k), format_number(a.wrenches(k).condition, 3)));
+        "At t = {} the motion is nearly singular: the wrenches of the limbs on the platform have the condition number {}, and a load there "
+        "may ask for forces {} times its size.",
+        show_time(a, k), format_number(a.wrenches(k).condition, 3), format_number(a.wrenches(k).amplification, 3)));
+  if (const auto l = loosest(a); l && l->share < loose && a.crossings().empty())
+    out.push_back(
+        fmt::format("At t = {} the bodies are nearly loose with all actuators locked: the constraints of all bodies hold them {} times "
+                    "less than at home, "
+                    "and forces inside the mechanism may be that many times larger, whatever G says of the platform.",
+                    show_time(a, l->sample), format_number(1 / l->share, 3)));
   if (const auto& chart = a.margins().chart)
     out.push_back(
         fmt::format("At t = {}{} {}. Forces and motions of the bodies come from the platform's twist and are right; the rates of these "

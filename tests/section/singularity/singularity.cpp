@@ -2,6 +2,7 @@
 // rail: with the leg across the rail, at x = 0, the sleigh is free.
 #include <catch2/catch.hpp>
 
+#include <reports/section/common/singular_words.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/kinds.hpp>
 #include <reports/section/mobility/mobility.hpp>
@@ -96,6 +97,33 @@ TEST_CASE("a crossing between two samples is found in time to the last digits") 
   CHECK_THAT(told[0], Contains("Between t = 0.6 s and t = 0.8 s the motion crosses a singular surface") && Contains("0.7745967 s"));
 }
 
+TEST_CASE("a surface that is met at a sample itself is crossed there, or touched there, and not between samples") {
+  const Run crossed("100 mm * (t / 1 s - 1)");
+  REQUIRE(crossed.analysis.crossings().size() == 1);
+  const section::Crossing& c = crossed.analysis.crossings()[0];
+  CHECK(c.time == 1);
+  CHECK(c.before == 5);
+  CHECK_FALSE(c.touches);
+  CHECK_FALSE(c.lasts());
+  REQUIRE(section::singularity_sentences(crossed.analysis).size() == 1);  // not the sample once more
+  CHECK_THAT(section::singularity_sentences(crossed.analysis)[0], Contains("At the sample t = 1 s the motion crosses a singular surface"));
+  CHECK(section::singularities_met(crossed.analysis) == 1);
+
+  const Run touched("100 mm * (t / 1 s - 1)^2");
+  REQUIRE(touched.analysis.crossings().size() == 1);
+  CHECK(touched.analysis.crossings()[0].time == 1);
+  CHECK(touched.analysis.crossings()[0].touches);
+}
+
+TEST_CASE("a motion that stays on a singular surface is told with when it comes and when it leaves") {
+  const Run r("max(0 mm, 100 mm * (t / 1 s - 1))");
+  REQUIRE(r.analysis.crossings().size() == 1);
+  const section::Crossing& c = r.analysis.crossings()[0];
+  CHECK(c.time == 0);
+  CHECK(c.until == 1);
+  CHECK_THAT(section::singularity_sentences(r.analysis)[0], Contains("From t = 0 s to t = 1 s the motion stays on a singular surface"));
+}
+
 TEST_CASE("a surface crossed and left again between two samples is found twice") {
   // Below zero from 1.05 s to 1.15 s only: no sample is there.
   const Run r("200 mm * ((t / 1 s) - 1.05) * ((t / 1 s) - 1.15)");
@@ -117,7 +145,8 @@ TEST_CASE("the section tells a crossing with its type and how the platform escap
   Run r("60 mm - 100 mm * (t / 1 s)^2");
   const section::Result out = r.singularity({});
   const std::string text = text_of(out.section);
-  CHECK_THAT(text, Contains("At t = 0.7745967 s the mechanism crosses a singular surface between the samples at 0.6 s and 0.8 s") &&
+  CHECK_THAT(text, Contains("Between t = 0.6 s and t = 0.8 s the motion crosses a singular surface: det G changes its sign at t = "
+                                "0.7745967 s") &&
                        Contains("type 2, direct"));
   CHECK_THAT(text, Contains("with all actuators locked the platform can move along X without turning"));
   CHECK(value(out, "crossings") == 1);
