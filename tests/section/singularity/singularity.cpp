@@ -66,9 +66,9 @@ class Sleigh : public Mechanism<1> {
 scenario::MechanismSource source() { return test::only<Sleigh>(); }
 
 struct Run {
-  explicit Run(const std::string& x)
-      : loaded(scenario::load_text("title = \"Sleigh\"\n[mechanism]\nuse = \"sleigh\"\n[motion]\nduration = \"2 s\"\nsamples = 11\nx = \"" +
-                                       x + "\"\n[[section]]\nkind = \"velocity\"\n",
+  explicit Run(const std::string& x, const std::string& more = "")
+      : loaded(scenario::load_text("title = \"Sleigh\"\n[mechanism]\nuse = \"sleigh\"\n[motion]\nduration = \"2 s\"\nsamples = 11\n" +
+                                       more + "x = \"" + x + "\"\n[[section]]\nkind = \"velocity\"\n",
                                    "a.toml", source(), section::kinds())),
         analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
   section::Result singularity(const section::SingularityOptions& r) {
@@ -115,6 +115,17 @@ TEST_CASE("a surface that is met at a sample itself is crossed there, or touched
   CHECK(touched.analysis.crossings()[0].touches);
 }
 
+TEST_CASE("a motion that may last until a singular surface keeps the last sample before one that is on it, and speaks of no one side") {
+  Run r("100 mm * (1 - t / 1 s)", "until = \"singularity\"\n");
+  REQUIRE(r.analysis.samples() == 5);
+  CHECK(r.analysis.time().back() == Approx(0.8));
+  CHECK_THAT(r.analysis.trajectory().ending, Contains("meets a singular surface at t = 1 s"));
+  CHECK(r.analysis.crossings().empty());
+  CHECK(section::singularities_met(r.analysis) == 0);
+  const section::Result out = r.singularity({});
+  CHECK_THAT(text_of(out.section), !Contains("stays on one side") && Contains("meets a singular surface at t = 1 s"));
+}
+
 TEST_CASE("a motion that stays on a singular surface is told with when it comes and when it leaves") {
   const Run r("max(0 mm, 100 mm * (t / 1 s - 1))");
   REQUIRE(r.analysis.crossings().size() == 1);
@@ -146,7 +157,7 @@ TEST_CASE("the section tells a crossing with its type and how the platform escap
   const section::Result out = r.singularity({});
   const std::string text = text_of(out.section);
   CHECK_THAT(text, Contains("Between t = 0.6 s and t = 0.8 s the motion crosses a singular surface: det G changes its sign at t = "
-                                "0.7745967 s") &&
+                            "0.7745967 s") &&
                        Contains("type 2, direct"));
   CHECK_THAT(text, Contains("with all actuators locked the platform can move along X without turning"));
   CHECK(value(out, "crossings") == 1);
