@@ -80,7 +80,7 @@ TEST_CASE("a broken gate fails the run, with the sample, the column, the value a
   CHECK(result.status == 1);
   CHECK_THAT(result.out, Contains("FAILED  max(abs(actuator_force)) < 1 N: t = ") && Contains("_force is ") &&
                              Contains("which is not below 1 N") && Contains("min(z): z is 550 mm, which is not above 551 mm") &&
-                             !Contains("max(z)") && Contains("FAILED: 6 checks, ") &&
+                             !Contains("max(z)") && Contains("FAILED: 8 checks, ") &&
                              Contains(", 2 failed; scenario-report/report.html\n"));
   check_consistent(here, 1);
   CHECK_THAT(bytes_of(here.report_folder() / "junit.xml"), Contains("file=\"scenario.toml\" line=\"28\""));
