@@ -56,10 +56,10 @@ TEST_CASE("as many samples as are asked for show it, and a number that cannot is
 }
 
 TEST_CASE("a tremor that moves nothing counts where accelerations are asked for") {
-  // 0.02 um at 500 Hz beside 20 mm at 0.5 Hz: 0.2 m/s^2 beside 0.2 m/s^2.
-  const std::string tremor = "x = \"20 mm * sin(2*pi*t/2 s) + 0.02 um * sin(2*pi*500 Hz*t)\"\n";
+  // 0.05 um at 500 Hz beside 20 mm at 0.5 Hz: 0.5 m/s^2 beside 0.2 m/s^2.
+  const std::string tremor = "x = \"20 mm * sin(2*pi*t/2 s) + 0.05 um * sin(2*pi*500 Hz*t)\"\n";
   CHECK(unseen(tremor, 101).empty());
-  CHECK(unseen(tremor, 101, {"velocity"}).empty());  // 0.06 mm/s of 63 mm/s
+  CHECK(unseen(tremor, 101, {"velocity"}).empty());  // 0.16 mm/s of 63 mm/s
   const auto found = unseen(tremor, 101, {"displacement", "acceleration"});
   REQUIRE(found.size() == 1);
   CHECK(found[0].of == analysis::OfMotion::acceleration);

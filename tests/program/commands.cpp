@@ -22,7 +22,7 @@ TEST_CASE("a report that passes says so in one line") {
   const Workshop here;
   const Result result = here.report(small);
   CHECK(result.status == 0);
-  CHECK_THAT(result.out, StartsWith("passed: 4 checks, ") && Contains("; scenario-report/report.html\n"));
+  CHECK_THAT(result.out, StartsWith("passed: 6 checks, ") && Contains("; scenario-report/report.html\n"));
   CHECK(std::count(result.out.begin(), result.out.end(), '\n') == 1);
   CHECK(result.err.empty());
 }

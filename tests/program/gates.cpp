@@ -62,13 +62,14 @@ TEST_CASE("gates measure what the data say: largest, smallest, mean square, at a
   const double expected[] = {*std::max_element(l.begin(), l.end()),
                              *std::min_element(l.begin(), l.end()),
                              std::sqrt(squares / 21),
-                             (l[7] + l[8]) / 2,  // 0.75 s lies halfway between two samples
+                             (9 * (l[7] + l[8]) - l[6] - l[9]) / 16,  // 0.75 s lies halfway between two samples: the cubic through four
                              force,
                              *std::max_element(condition.begin(), condition.end())};
   const Json checks = results(here)["checks"];
   for (std::size_t i = 0; i < std::size(expected); ++i) {
     INFO(checks[i]["name"]);
-    CHECK(checks[i]["value"].get<double>() == Approx(expected[i]).epsilon(1e-12));  // the data have all digits
+    // The data have all digits. The cubic misses 3 h^4 / 128 times a fourth derivative, of 20 mm pi^4 / s^4 or so; a line 0.1 mm.
+    CHECK(checks[i]["value"].get<double>() == Approx(expected[i]).epsilon(1e-12).margin(i == 3 ? 1e-5 : 0));
   }
 }
 
@@ -79,7 +80,7 @@ TEST_CASE("a broken gate fails the run, with the sample, the column, the value a
   CHECK(result.status == 1);
   CHECK_THAT(result.out, Contains("FAILED  max(abs(actuator_force)) < 1 N: t = ") && Contains("_force is ") &&
                              Contains("which is not below 1 N") && Contains("min(z): z is 550 mm, which is not above 551 mm") &&
-                             !Contains("max(z)") && Contains("FAILED: 6 checks, ") &&
+                             !Contains("max(z)") && Contains("FAILED: 8 checks, ") &&
                              Contains(", 2 failed; scenario-report/report.html\n"));
   check_consistent(here, 1);
   CHECK_THAT(bytes_of(here.report_folder() / "junit.xml"), Contains("file=\"scenario.toml\" line=\"28\""));

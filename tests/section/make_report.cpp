@@ -61,7 +61,7 @@ TEST_CASE("the values of a report are the smallest and the largest of every colu
 
 TEST_CASE("checks of the scenario come first, then what every report demands") {
   const auto r = of_gantry(asking_for({"displacement"}) + check("max(x)", "60 mm") + check("max(q)", "40 mm"));
-  REQUIRE(r.checks.size() == 5);
+  REQUIRE(r.checks.size() == 6);
   CHECK(r.checks[0].name == "max(x) < 60 mm");
   CHECK(r.checks[0].passed);
   CHECK(r.checks[1].name == "max(q) < 40 mm");
@@ -69,7 +69,8 @@ TEST_CASE("checks of the scenario come first, then what every report demands") {
   CHECK(r.checks[2].name == "every sample can be assembled");
   CHECK(r.checks[3].name == "strokes and joint limits are kept");
   CHECK(r.checks[4].name == "no singular surface is met");
-  for (std::size_t i = 2; i < 5; ++i) CHECK(r.checks[i].passed);
+  CHECK(r.checks[5].name == "the samples show the motion");
+  for (std::size_t i = 2; i < 6; ++i) CHECK(r.checks[i].passed);
   CHECK_FALSE(r.passed());
 }
 

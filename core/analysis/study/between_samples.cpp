@@ -28,6 +28,17 @@ struct Look {
   void see(double x) { low = std::min(low, x), high = std::max(high, x); }
 };
 
+// The steps of an integration are not longer than a share of the whole, whatever its samples are.
+std::vector<double> divided(const std::vector<double>& t) {
+  constexpr std::size_t fewest = 2000;
+  const std::size_t parts = (fewest + t.size() - 2) / (t.size() - 1);
+  std::vector<double> out{t.front()};
+  for (std::size_t k = 1; k < t.size(); ++k)
+    for (std::size_t n = 1; n <= parts; ++n)
+      out.push_back(t[k - 1] + (t[k] - t[k - 1]) * static_cast<double>(n) / static_cast<double>(parts));
+  return out;
+}
+
 class Looker {
  public:
   explicit Looker(const Analysis& a) : a_(a), motion_(*a.scenario().motion), dof_(static_cast<std::size_t>(a.machine().dof())) {
@@ -37,7 +48,7 @@ class Looker {
 
   const std::vector<Look>& look() {
     const std::vector<double>& t = a_.time();
-    const std::vector<double>& steps = motion_.steps.size() > 1 ? motion_.steps : t;
+    const std::vector<double> steps = motion_.steps.size() > 1 ? motion_.steps : divided(t);
     for (std::size_t k = 0; k < t.size(); ++k)
       if (sample(k))
         for (std::size_t i = 0; i < looks_.size(); ++i)

@@ -9,7 +9,8 @@ namespace pmreport::scenario {
 namespace {
 
 constexpr int fewest_steps = 64;
-constexpr std::size_t most_steps = 1u << 20;  // a second or two; more periods than a million samples could show
+constexpr std::size_t most_steps = 1u << 20;  // more periods than a million samples could show
+constexpr std::size_t most_work = 1u << 27;   // terms evaluated: a second or two
 constexpr int deepest = 30;                   // halvings of one of the first steps
 constexpr int most_restless = 64;             // steps that are not short enough even so: beside a pole one or two are not
 constexpr int deepest_search = 6;             // halvings of a step in search of switches
@@ -129,6 +130,8 @@ class Observer {
     return true;
   }
 
+  bool exhausted() const { return work_ > most_work; }
+
   // The switches that one telltale tells. `times` rise; the range of the telltale says where to look more closely.
   void find(const Telltale& tale, const std::vector<double>& times, std::vector<Switch>& out) {
     closer_ = {times.front()};
@@ -136,7 +139,7 @@ class Observer {
     double old_time = closer_.front();
     J old = at(tale, old_time);
     int sign = sign_of(old.value);
-    for (std::size_t i = 1; i < closer_.size(); ++i) {
+    for (std::size_t i = 1; i < closer_.size() && !exhausted(); ++i) {
       const double time = closer_[i];
       const J now = at(tale, time);
       const int here = sign_of(now.value);
@@ -156,14 +159,19 @@ class Observer {
  private:
   static int sign_of(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
+  void ranges(std::size_t terms, double from, double to) {
+    work_ += terms;
+    ranges_of(terms_.first(terms), from, to, ranges_);
+  }
   J at(const Telltale& tale, double t) {
+    work_ += terms_.size();
     expression_.evaluate(t, {}, values_);
     return tale.value(values_);
   }
 
   bool divide(double from, double to, int depth, std::vector<double>& steps) {
-    if (steps.size() > most_steps) return false;
-    ranges_of(terms_, from, to, ranges_);
+    if (steps.size() > most_steps || exhausted()) return false;
+    ranges(terms_.size(), from, to);
     const double middle = 0.5 * (from + to);
     const bool short_enough = std::all_of(terms_.begin(), terms_.end(), [&](const Term& t) { return calm(t, ranges_); });
     const bool done = short_enough || depth == deepest || !(from < middle && middle < to);
@@ -175,8 +183,8 @@ class Observer {
 
   void look(const Telltale& tale, double from, double to, int depth) {
     const double middle = 0.5 * (from + to);
-    if (depth < deepest_search && from < middle && middle < to) {
-      ranges_of(terms_.first(tale.term + 1), from, to, ranges_);
+    if (depth < deepest_search && !exhausted() && from < middle && middle < to) {
+      ranges(tale.term + 1, from, to);
       if (tale.range(ranges_).has(0)) {
         look(tale, from, middle, depth + 1);
         look(tale, middle, to, depth + 1);
@@ -229,6 +237,7 @@ class Observer {
   std::vector<J> values_;
   std::vector<double> closer_;
   int restless_ = 0;
+  std::size_t work_ = 0;
 };
 
 }  // namespace
@@ -243,6 +252,8 @@ Behaviour behaviour(const Expression& expression, double begin, double end) {
   for (const Telltale& tale : telltales(expression.terms())) {
     std::vector<Switch> found;
     observer.find(tale, times, found);
+    if (observer.exhausted()) out.complete = false;
+    if (!out.complete) return out;
     for (const Switch& s : found) {
       if (!(s.before > begin && s.after < end)) continue;
       out.switches.push_back(s);

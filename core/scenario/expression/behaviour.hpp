@@ -18,7 +18,7 @@ struct Behaviour {
   // sevenfold, and so on: a handful of points within show all that the expression does.
   std::vector<double> steps;
   std::vector<Switch> switches;  // inside, rising
-  bool complete = true;          // false: the expression wavers more often than can be looked at, and only its beginning was
+  bool complete = true;          // false: it wavers or switches more often than can be looked at, and only a part of it was
 };
 // Of an expression of t alone, begin < end. Two switches that undo each other within a hundredth of a step may be missed.
 Behaviour behaviour(const Expression& expression, double begin, double end);

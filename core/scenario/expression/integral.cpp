@@ -37,7 +37,7 @@ void Integral::add(double a, double b, const Sum& whole, double allowed, int dep
   const double both = left.value + right.value, difference = std::abs(both - whole.value);
   const double noise = rounding * std::max(std::abs(a), std::abs(b)) * (left.slope + right.slope);
   const bool agree = std::isnan(difference) || difference <= std::max(allowed, agreement * (left.magnitude + right.magnitude)) + noise;
-  if (!agree && depth < deepest && ends_.size() < most_panels) {
+  if (!agree && depth < deepest && ends_.size() < given_ + most_panels) {
     add(a, middle, left, allowed, depth + 1);
     add(middle, b, right, allowed, depth + 1);
     return;
@@ -52,6 +52,7 @@ void Integral::add(double a, double b, const Sum& whole, double allowed, int dep
 }
 
 Integral::Integral(std::function<Jet<double>(double)> f, double start, std::vector<double> knots) : f_(std::move(f)) {
+  given_ = knots.size();
   ends_.push_back(knots.front());
   values_.push_back(start);
   for (std::size_t i = 1; i < knots.size(); ++i) {

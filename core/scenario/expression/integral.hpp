@@ -27,6 +27,7 @@ class Integral {
 
   std::function<Jet<double>(double)> f_;
   std::vector<double> ends_{}, values_{};  // of the panels: one more than there are of these
+  std::size_t given_ = 0;                  // knots
   double carried_ = 0;                     // what the last value lost by rounding
   double error_ = 0, magnitude_ = 0;
 };

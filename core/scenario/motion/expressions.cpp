@@ -26,8 +26,7 @@ std::optional<Behaviour> behaviour_of(const Written& written, const std::string&
   Behaviour out = behaviour(written.expression, 0, duration);
   if (out.complete) return out;
   diagnostics.add(written.place,
-                  fmt::format("{} wavers about a million times over {} s, or without end: more than can be looked at", name,
-                              format_number(duration, 6)),
+                  fmt::format("{} wavers or switches more often over {} s than can be looked at", name, format_number(duration, 6)),
                   "look at a shorter motion, or at a slower one");
   return std::nullopt;
 }

@@ -59,6 +59,12 @@ TEST_CASE("what wavers without end is not looked at to the end, and says so") {
   CHECK_FALSE(over("sin(1 s/(t - 0.5 s))", 1).complete);
 }
 
+TEST_CASE("a text that is all switches ends in time") {
+  std::string text = "0";
+  while (text.size() < 1950) text += "+abs(sin(2*pi*2000*t/1 s)-0.3)";
+  CHECK_FALSE(over(text.c_str(), 10).complete);
+}
+
 TEST_CASE("switches are found where the branches of abs, min, max and step5 meet") {
   check_switches("abs(t/2 s - 1)", 4, {2});
   check_switches("abs(1 - t/2 s)", 4, {2});

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <core/analysis/samples/smooth_rate.hpp>
+#include <core/analysis/study/drive_balance.hpp>
 #include <core/analysis/study/motion_work.hpp>
 #include <reports/section/drives/drives.hpp>
 #include <reports/section/dynamics/dynamics.hpp>
@@ -350,6 +351,23 @@ TEST_CASE("an efficiency that always divides is warned of where an actuator is d
   };
   CHECK(warnings("divides") == 1);
   CHECK(warnings("power") == 0);
+}
+
+TEST_CASE("the motors of a motion through points are held against their spin between the points") {
+  // Sampled at its points, all of which are knots.
+  const trial::Folder folder;
+  std::string table = "t [s],z [mm]\n";
+  for (int i = 0; i <= 50; ++i) table += fmt::format("{:.2f},{:.2f}\n", 0.02 * i, 100 * std::sin(0.06 * i));
+  folder.write("motion.csv", table);
+  const scenario::Loaded loaded = scenario::load_text(
+      "title = \"Lift\"\n[mechanism]\nuse = \"lift\"\n[motion]\nfile = \"motion.csv\"\n[drive]\nefficiency = 0.8\n[drive.q]\nlead = \"10 "
+      "mm\"\ninertia = \"2e-5 kg*m^2\"\n" +
+          drives,
+      folder.path() / "a.toml", lift(), section::kinds());
+  const section::Analysis a(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {});
+  const double left_over = analysis::drive_balance(a).left_over;
+  REQUIRE(std::isfinite(left_over));
+  CHECK(left_over < 1e-8);
 }
 
 TEST_CASE("a drive without a motor shows what it must give at its actuator, and nothing of motors") {
