@@ -53,7 +53,7 @@ Panel set_off(const Panel& panel) {
   double movement = 0, size = 0;
   for (const Series& s : panel.series) {
     reaches.push_back(reach_of(s));
-    if (s.label.empty() || reaches.back().size() > longest) return panel;
+    if (s.label.empty() || s.style >= 0 || reaches.back().size() > longest) return panel;
     if (reaches.back().empty()) continue;
     movement = std::max(movement, reaches.back().span());
     size = std::max(size, reaches.back().size());

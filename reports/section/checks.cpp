@@ -51,8 +51,8 @@ struct Verdict {
 Verdict judge(const Analysis& a, const scenario::Check& c, const std::vector<document::Value>& values, double bound, bool below) {
   const Number found = measure(a, c, values, below);
   const std::string limit = written(bound, c.unit);
-  return {found, below ? found.value < bound : found.value > bound, bound, (below ? "< " : "> ") + limit,
-          std::string("not ") + (below ? "below " : "above ")};
+  const bool passed = std::isfinite(found.value) && (below ? found.value < bound : found.value > bound);
+  return {found, passed, bound, (below ? "< " : "> ") + limit, std::string("not ") + (below ? "below " : "above ")};
 }
 
 // Of a group every column must be near: the one farthest away counts.

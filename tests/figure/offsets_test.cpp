@@ -68,6 +68,12 @@ TEST_CASE("a curve that cannot tell its offset keeps its panel as it is") {
   CHECK(set_off(nameless).series[1].y == nameless.series[1].y);
 }
 
+TEST_CASE("curves of given styles, which are compared, keep their sums") {
+  Panel shares = scan();
+  shares.series[0].style = 3;
+  CHECK(set_off(shares).series[1].y == shares.series[1].y);
+}
+
 TEST_CASE("a curve without a value is left alone") {
   Panel with_gap = scan();
   with_gap.series.push_back(curve("y", 400, 0.1, [](double) { return gap; }));

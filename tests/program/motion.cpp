@@ -67,9 +67,23 @@ TEST_CASE("a motion that is never in reach makes a report all the same") {
   const Result result =
       here.report(with(small, {{alpha, "-53.1 deg"}, {"[[check]]", "[[section]]\nkind = \"snapshots\"\nsize = [400, 300]\n\n[[check]]"}}));
   CHECK(result.status == 1);
-  CHECK_THAT(result.out, Contains("has no value to judge"));
+  CHECK_THAT(result.out, Contains("max(abs(actuator_force)) has no value: l1_force has none at any sample: no sample can be assembled"));
   CHECK_THAT(warnings(here), Contains("no picture, the mechanism cannot be assembled"));
   check_no_nan(here);
+}
+
+TEST_CASE("a singular surface that is crossed again and again is told once, with how often") {
+  const Workshop here;
+  const Result result = here.report(with(small, {{"samples = 21", "samples = 201"}, {alpha, "25 deg * sin(2*pi*t/0.5 s + 0.1)"}}));
+  CHECK(result.status == 1);
+  const std::vector<double> det = columns(here.report_folder() / "data/velocity.csv").at("det_G");
+  int changes = 0;
+  for (std::size_t k = 0; k + 1 < det.size(); ++k) changes += det[k] * det[k + 1] < 0;
+  REQUIRE(changes > 3);
+  const std::string sentence =
+      "The motion crosses a singular surface " + std::to_string(changes) + " times: det G changes its sign, first at";
+  CHECK_THAT(result.out, Contains("FAILED  no singular surface is met: " + sentence));
+  CHECK_THAT(warnings(here), Contains(sentence) && !Contains("Between t = "));
 }
 
 TEST_CASE("a singular surface on the way is told") {

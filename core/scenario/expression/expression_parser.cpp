@@ -293,8 +293,7 @@ class ExpressionParser {
     const std::string meant = stem.size() < name.size() && parse_unit(stem)
                                   ? "; did you mean " + in_quotes(fmt::format("{}^{}", stem, name.substr(stem.size()))) + "?"
                                   : did_you_mean(name, unit_symbols());
-    throw ExpressionError(at_, fmt::format("unknown unit {}{}", in_quotes(name), meant),
-                          "the units are " + listed(unit_symbols(), "and"));
+    throw ExpressionError(at_, fmt::format("unknown unit {}{}", in_quotes(name), meant), "the units are " + listed(unit_symbols(), "and"));
   }
 
   // Letters, and digits after the first of them (atan2).

@@ -1,10 +1,13 @@
 // Section `velocity`.
 #include <reports/section/common/kinematic_plots.hpp>
+#include <reports/section/common/noise.hpp>
 #include <reports/section/common/singular_words.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/velocity/velocity.hpp>
 
 #include <fmt/core.h>
+
+#include <cmath>
 
 namespace pmreport::section {
 
@@ -13,7 +16,8 @@ using document::Section;
 
 namespace {
 
-// The matrices that the source states, at the first sample that has a pose.
+// The matrices that the source states, at the first sample that has a pose. Numbers of a column act on one rate and are of one sort: what
+// is rounding beside the largest of them is zero.
 void add_matrices(Section& s, const Analysis& a) {
   const Topology& t = a.machine().topology();
   if (t.matrices.empty()) return;
@@ -37,7 +41,10 @@ void add_matrices(Section& s, const Analysis& a) {
                           {}};
     for (Eigen::Index r = 0; r < all[i].rows(); ++r) {
       std::vector<std::string> row;
-      for (Eigen::Index c = 0; c < all[i].cols(); ++c) row.push_back(typeset(format_number(all[i](r, c), 5)));
+      for (Eigen::Index c = 0; c < all[i].cols(); ++c) {
+        const bool nothing = std::abs(all[i](r, c)) < noise_of(all[i].col(c).cwiseAbs().maxCoeff());
+        row.push_back(nothing ? "0" : typeset(format_number(all[i](r, c), 5)));
+      }
       table.rows.push_back(std::move(row));
     }
     s.blocks.push_back(std::move(table));
