@@ -1,7 +1,7 @@
 #include <reports/section/checks.hpp>
 #include <reports/section/common/limits.hpp>
-#include <reports/section/common/oddities.hpp>
 #include <reports/section/common/plots.hpp>
+#include <reports/section/common/remarks.hpp>
 #include <reports/section/common/stage.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/kinds.hpp>
@@ -35,7 +35,7 @@ std::vector<Paragraph> summary(const Analysis& a, const Report& r) {
   for (const std::string& s : singularity_sentences(a)) warn(s);
   for (const LimitBreach& b : a.breaches()) warn(sentence(a, b));
   for (const std::string& s : limit_sentences(a)) warn(s);
-  for (const std::string& s : oddity_sentences(a)) warn(s);
+  for (const std::string& s : remark_sentences(a)) warn(s);
   for (const document::Check& c : r.checks)
     if (!c.passed && c.line > 0) warn("Check failed: " + c.message + ".");
   constexpr std::size_t shown = 12;
