@@ -40,9 +40,11 @@ void add_of_actuators(std::vector<Column>& out, const Topology& t, OfActuator wh
   for (const Actuator& a : t.actuators)
     out.push_back({column_of(a, what).name(), unit, word_of(what), fmt::format("{} of {}", words, a.name)});
 }
-void add_forces(std::vector<Column>& out, const Topology& t, OfActuator what, const char* words) {
+// A force, or the torque of a rotary one, with words before and after.
+void add_forces(std::vector<Column>& out, const Topology& t, OfActuator what, const char* before = "", const char* after = "") {
   for (const Actuator& a : t.actuators)
-    out.push_back({column_of(a, what).name(), force_unit(a), word_of(what), fmt::format("{} of {}", words, a.name)});
+    out.push_back({column_of(a, what).name(), force_unit(a), word_of(what),
+                   fmt::format("{}{}{} of {}", before, mechanics::word_of_effort(a.sense()), after, a.name)});
 }
 
 // A group of its own.
@@ -113,17 +115,18 @@ std::vector<Column> acceleration_columns(const Topology& t) {
 std::vector<Column> statics_columns(const Topology& t) {
   std::vector<Column> out;
   for (const Actuator& a : t.actuators)
-    out.push_back({column_of(a, OfActuator::static_force).name(), force_unit(a), "actuator_force", "force of actuator " + a.name});
+    out.push_back({column_of(a, OfActuator::static_force).name(), force_unit(a), "actuator_force",
+                   fmt::format("{} of actuator {}", mechanics::word_of_effort(a.sense()), a.name)});
   for (const Constraint& c : t.constraints) out.push_back({column_of(c).name(), c.unit, "constraint", c.title});
   return out;
 }
 
 std::vector<Column> dynamics_columns(const Topology& t) {
   std::vector<Column> out;
-  add_forces(out, t, OfActuator::dynamic_force, "force");
-  add_forces(out, t, OfActuator::load_force, "share of the load in the force");
-  add_forces(out, t, OfActuator::gravity_force, "share of the weights in the force");
-  add_forces(out, t, OfActuator::inertia_force, "share of inertia in the force");
+  add_forces(out, t, OfActuator::dynamic_force);
+  add_forces(out, t, OfActuator::load_force, "share of the load in the ");
+  add_forces(out, t, OfActuator::gravity_force, "share of the weights in the ");
+  add_forces(out, t, OfActuator::inertia_force, "share of inertia in the ");
   add_of_actuators(out, t, OfActuator::power, "W", "mechanical power");
   add_single(out, OfMachine::total_power, "W", "mechanical power of all actuators");
   add_single(out, OfMachine::load_power, "W", "power of the load on the platform");
@@ -134,7 +137,7 @@ std::vector<Column> dynamics_columns(const Topology& t) {
 
 std::vector<Column> drive_columns(const Topology& t) {
   std::vector<Column> out;
-  add_forces(out, t, OfActuator::drive_force, "force that the drive must give");
+  add_forces(out, t, OfActuator::drive_force, "", " that the drive must give");
   add_of_actuators(out, t, OfActuator::drive_power, "W", "power that the drive must give");
   add_of_actuators(out, t, OfActuator::motor_torque, "N*m", "motor torque");
   add_of_actuators(out, t, OfActuator::motor_speed, "rad/s", "motor speed");

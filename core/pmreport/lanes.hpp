@@ -10,8 +10,24 @@ namespace pmreport {
 class Lanes {
  public:
   using Simd = std::experimental::native_simd<double>;
-  using Mask = Simd::mask_type;
   static constexpr std::size_t width = Simd::size();
+
+  // The answer of a comparison, one a lane.
+  class Mask {
+   public:
+    explicit Mask(const Simd::mask_type& m) : m_(m) {}
+    const Simd::mask_type& lanes() const { return m_; }
+    friend Mask operator&&(const Mask& a, const Mask& b) { return Mask(a.m_ && b.m_); }
+    friend Mask operator||(const Mask& a, const Mask& b) { return Mask(a.m_ || b.m_); }
+    friend Mask operator!(const Mask& a) { return Mask(!a.m_); }
+    // To one bool, for all lanes: never.
+    template <class Bool>
+    requires std::is_same_v<Bool, bool>
+    operator Bool() const { return refused<decltype(void(Bool()))>(); }
+
+   private:
+    Simd::mask_type m_;
+  };
 
   Lanes() = default;
   Lanes(double same) : x_(same) {}  // implicit: constants stay readable
@@ -30,12 +46,12 @@ class Lanes {
   friend Lanes operator-(const Lanes& a, const Lanes& b) { return Simd(a.x_ - b.x_); }
   friend Lanes operator*(const Lanes& a, const Lanes& b) { return Simd(a.x_ * b.x_); }
   friend Lanes operator/(const Lanes& a, const Lanes& b) { return Simd(a.x_ / b.x_); }
-  friend Mask operator<(const Lanes& a, const Lanes& b) { return a.x_ < b.x_; }
-  friend Mask operator>(const Lanes& a, const Lanes& b) { return a.x_ > b.x_; }
+  friend Mask operator<(const Lanes& a, const Lanes& b) { return Mask(a.x_ < b.x_); }
+  friend Mask operator>(const Lanes& a, const Lanes& b) { return Mask(a.x_ > b.x_); }
 
   friend Lanes choose(const Mask& mask, const Lanes& a, const Lanes& b) {
     Simd r = b.x_;
-    where(mask, r) = a.x_;
+    where(mask.lanes(), r) = a.x_;
     return r;
   }
   friend Lanes sqrt(const Lanes& a) { return std::experimental::sqrt(a.x_); }

@@ -70,14 +70,16 @@
 //
 // The members
 //   parameters  number, length, angle, mass, inertia, numbers, choice, working_mode: parameter.hpp. A mechanism without any has
-//               `static constexpr std::array<Parameter, 0> parameters{};`. Values are in SI and within their ranges.
+//               `static constexpr std::array<Parameter, 0> parameters{};`. Values are in SI and within their ranges. `unless("NAME")`
+//               after one says which other parameter, once given, stands in its place.
 //   constructor reads them: p["NAME"] a number, p.numbers("NAME") a list, p.choice("NAME") a word. What fits no machine it refuses
 //               with a sentence for the user, as above; home must be a pose that can be assembled. Afterwards nothing changes any more:
 //               threads share the object.
 //   topology    coordinates (as many as degrees of freedom), bodies, joints, actuators (as many as degrees of freedom), derived
 //               quantities, constraint wrenches (what is missing to six), shapes: topology.hpp. Body 0 is the base, and is there
 //               already. `add` gives the number of what it added; `place` and `jacobian` speak in these numbers. Bodies without shapes
-//               are drawn from their joints. `idle` counts the spins of legs that move nothing else.
+//               are drawn from their joints. `idle` counts the spins of legs that move nothing else. A joint's limits count from home,
+//               a ball's from `from` where that is given. README.md has a table of the joints and words.
 //   place       says for coordinates q the place of every body (origin, rotation from body to base axes; a slender one: origin, z axis),
 //               of every joint (centre, and its axes: one of a hinge or slide, two of a universal joint, none of a ball), the value of
 //               every actuator and derived quantity. at.require(margin, "why not") says how far the mechanism reaches: only while
@@ -93,7 +95,8 @@
 //
 // Scalars. `place` and `jacobian` run on numbers that carry rates, partial derivatives, or several poses at a time: write T, not double,
 // for what depends on q; no `if` on a T, but choose(mask, a, b), smaller and larger; length(v) and unit(v) in place of Eigen's norm() and
-// normalized(): scalar.hpp. A constant vector becomes one of T by c.cast<T>().
+// normalized(): scalar.hpp; the compiler's error names them. A constant vector becomes one of T by c.cast<T>(). An iteration takes a fixed
+// number of steps: README.md shows one.
 //
 // Helpers. rotation.hpp: rotations and frames. leg.hpp: telescopic legs. free_platform.hpp: a platform with six freedoms. parts.hpp:
 // limits and inertias from parameters. plugin.h says to the last digit what every number means.

@@ -41,8 +41,17 @@ T square(const T& x) {
   return x * x;
 }
 
-// Length and direction of a vector. Eigen's own norm() and normalized() ask whether the length is positive, which Lanes cannot answer
-// with one bool.
+// What Eigen's norm() and normalized() come to with a scalar of ours, and an `if` on one: the compiler's one error says what to write.
+// normalized() asks whether the length is positive, which Lanes, several poses at a time, cannot answer with one bool.
+template <class Void>
+bool refused() {
+  static_assert(!std::is_void_v<Void>,
+                "on a scalar of the geometry: write length(v) for v.norm(), unit(v) for v.normalized(), and choose(mask, a, b) for an if "
+                "or a ?:");
+  return false;
+}
+
+// Length and direction of a vector.
 template <class T>
 T length(const Vector3<T>& v) {
   return sqrt(T(v.dot(v)));
@@ -64,6 +73,13 @@ Vector3<T> unit(const Vector3<T>& v) {
     using Nested = S;                                                                                                       \
     using Literal = double;                                                                                                 \
     enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 0, ReadCost = 3, AddCost = 3, MulCost = 9 }; \
+  };                                                                                                                        \
+  template <__VA_ARGS__>                                                                                                    \
+  struct Eigen::internal::sqrt_impl<S> {                                                                                    \
+    template <class X>                                                                                                      \
+    static X run(const X& x) {                                                                                              \
+      return pmreport::refused<decltype(void(X()))>() ? x : X();                                                            \
+    }                                                                                                                       \
   };                                                                                                                        \
   template <__VA_ARGS__ PMREPORT_EIGEN_COMMA(__VA_ARGS__) class BinaryOp>                                                   \
   struct Eigen::ScalarBinaryOpTraits<S, double, BinaryOp> {                                                                 \

@@ -1,8 +1,8 @@
 #include <reports/section/checks.hpp>
 #include <reports/section/common/limits.hpp>
 #include <reports/section/common/motion_words.hpp>
-#include <reports/section/common/oddities.hpp>
 #include <reports/section/common/plots.hpp>
+#include <reports/section/common/remarks.hpp>
 #include <reports/section/common/singular_words.hpp>
 #include <reports/section/common/stage.hpp>
 #include <reports/section/common/words.hpp>
@@ -40,7 +40,7 @@ std::vector<Paragraph> summary(const Analysis& a, const std::vector<analysis::Un
   for (const std::string& s : unseen_sentences(a, unseen)) warn(s);
   for (const std::string& s : breach_sentences(a)) warn(s);
   for (const std::string& s : limit_sentences(a)) warn(s);
-  for (const std::string& s : oddity_sentences(a)) warn(s);
+  for (const std::string& s : remark_sentences(a)) warn(s);
   for (const document::Check& c : r.checks)
     if (!c.passed && c.line > 0) warn("Check failed: " + c.message + ".");
   constexpr std::size_t shown = 12;

@@ -28,7 +28,7 @@ std::vector<scenario::Quantity> quantities(const scenario::Options*) {
 
 std::string glance(const Analysis& a, figure::Figure& f) {
   for (const std::string unit : {"N", "N*m"}) {
-    const std::string kind = unit == "N" ? "force" : "moment";
+    const std::string kind = unit == "N" ? "force" : "torque";
     add_panel(f, a, kind + "s in motion", kind, unit, group(a, analysis::dynamics_columns, "dynamic_force", unit));
   }
   return "actuator forces in motion";

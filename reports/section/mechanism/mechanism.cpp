@@ -1,7 +1,7 @@
 // Section `mechanism`: what it is, its parameters, joints and bodies, and its mobility by count and by rank.
 #include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/model/joint_words.hpp>
-#include <reports/section/common/oddities.hpp>
+#include <reports/section/common/remarks.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/mechanism/mechanism.hpp>
 
@@ -114,7 +114,7 @@ Result mechanism_section(const Analysis& a, const Stage& stage) {
   s.blocks.push_back(parameters(a));
   s.blocks.push_back(joints(m));
   s.blocks.push_back(bodies(m));
-  for (const std::string& text : oddity_sentences(m)) s.blocks.push_back(Paragraph{Paragraph::Tone::warning, text});
+  for (const std::string& text : remark_sentences(m)) s.blocks.push_back(Paragraph{Paragraph::Tone::warning, text});
   s.blocks.push_back(mobility(mob, m.topology().idle));
   document::Proof p;
   p.lines.push_back({"Mobility is as declared", fmt::format("degrees of freedom by rank at home against {} declared", m.dof()),

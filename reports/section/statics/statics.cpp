@@ -18,7 +18,9 @@ Result statics_section(const Analysis& a) {
       Paragraph::Tone::plain,
       "Actuator forces and constraint wrenches that hold the platform against its load at rest, by virtual work: (F; Fτ) = −G⁻ᵀ(force; "
       "moment). "
-      "A positive actuator force pushes: it acts to extend the actuator. A constraint wrench is what the limbs exert on the platform."});
+      "A positive force of an actuator acts to extend it, a positive torque to turn it onwards. A constraint wrench is what the limbs "
+      "exert "
+      "on the platform."});
   s.blocks.push_back(Paragraph{Paragraph::Tone::plain,
                                g.isZero() ? "The scenario gives no gravity: all bodies are taken as weightless."
                                           : fmt::format("The weights of all bodies are included, gravity ({}, {}, {}) m/s². With heavy "
@@ -29,7 +31,7 @@ Result statics_section(const Analysis& a) {
   for (const auto& [name, title] : {std::pair<std::string, std::string>{"actuator_force", "actuator"}, {"constraint", "constraint"}})
     for (const std::string unit : {"N", "N*m"}) {
       const std::vector<Trace> curves = group(a, analysis::statics_columns, name, unit);
-      const std::string kind = unit == "N" ? "force" : "moment";
+      const std::string kind = unit == "N" ? "force" : name == "constraint" ? "moment" : "torque";
       if (!curves.empty()) f.panels.push_back(panel(a, title + " " + kind, kind, unit, curves));
     }
   s.blocks.push_back(f);

@@ -1,11 +1,11 @@
 #include <core/mechanics/conformance/plausibility.hpp>
-#include <reports/section/common/oddities.hpp>
+#include <reports/section/common/remarks.hpp>
 
 #include <utility>
 
 namespace pmreport::section {
 
-std::vector<std::string> oddity_sentences(const mechanics::Machine& machine) {
+std::vector<std::string> remark_sentences(const mechanics::Machine& machine) {
   std::vector<std::string> out;
   for (const mechanics::Remark& r : plausibility(machine)) {
     std::string s = sentence(r);
@@ -16,9 +16,9 @@ std::vector<std::string> oddity_sentences(const mechanics::Machine& machine) {
   return out;
 }
 
-std::vector<std::string> oddity_sentences(const Analysis& a) {
+std::vector<std::string> remark_sentences(const Analysis& a) {
   const bool weighs = !a.scenario().load.gravity.isZero();
-  return a.has_dynamics() || weighs ? oddity_sentences(a.machine()) : std::vector<std::string>{};
+  return a.has_dynamics() || weighs ? remark_sentences(a.machine()) : std::vector<std::string>{};
 }
 
 }  // namespace pmreport::section
