@@ -181,5 +181,5 @@ TEST_CASE("a mechanism that breaks among several is told, and the others are che
 TEST_CASE("check without a mechanism says what it expects") {
   const Result result = pmreport({"check"});
   CHECK(result.status == 2);
-  CHECK(result.err == "error: check expects a mechanism, several, or --all\n");
+  CHECK(result.err == "error: check expects a mechanism, several, --all, or --scenario FILE\n");
 }
