@@ -111,12 +111,20 @@ Checked print_properties(const Machine& machine, int poses, const std::vector<Ei
   return c;
 }
 
+// "28 of 28 pass, 2 of 42 other settings FAIL"
+std::string verdict_of(const Checked& c) {
+  std::string out = fmt::format("{} of {} {}", c.passed, c.passed + c.failed, c.failed == 0 ? "pass" : "FAIL");
+  if (c.unexamined > 0) out += fmt::format(", {} not examined", c.unexamined);
+  if (c.failed_settings > 0) out += fmt::format(", {} of {} other settings FAIL", c.failed_settings, c.settings);
+  return out;
+}
+
 void print_table(const std::vector<Checked>& all) {
-  std::size_t width = 9;
-  for (const Checked& c : all) width = std::max(width, c.mechanism.size());
-  fmt::print("\n{:<{}}  {:<4} {:>11}  {:<48}  {}\n", "mechanism", width, "", "of allowed", "by", "properties");
+  std::size_t width = 9, verdicts = 10;
+  for (const Checked& c : all) width = std::max(width, c.mechanism.size()), verdicts = std::max(verdicts, verdict_of(c).size());
+  fmt::print("\n{:<{}}  {:<{}}  {:>11}  {}\n", "mechanism", width, "properties", verdicts, "of allowed", "by");
   for (const Checked& c : all)
-    fmt::print("{:<{}}  {:<4} {:>11.1e}  {:<48}  {}\n", c.mechanism, width, c.all_well() ? "pass" : "FAIL", c.share, c.closest, c.counts());
+    fmt::print("{:<{}}  {:<{}}  {:>11.1e}  {}\n", c.mechanism, width, verdict_of(c), verdicts, c.share, c.closest);
 }
 
 // What a scenario or --parameters sets. The poses of a motion, at most so many, spread evenly over it.

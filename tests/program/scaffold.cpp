@@ -80,8 +80,8 @@ TEST_CASE("a mechanism's name may begin with a digit, its class does not") {
   const Workshop here;
   REQUIRE(make(here, "3-rps").status == 0);
   const auto files = contents(here / "3-rps");
-  CHECK_THAT(files.at("mechanism.cpp"), Contains("class Robot3Rps : public Mechanism<3>") && Contains("PMREPORT_PLUGIN(Robot3Rps)") &&
-                                            Contains("name = \"3-rps\";"));
+  CHECK_THAT(files.at("mechanism.cpp"),
+             Contains("class Robot3Rps : public Mechanism<3>") && Contains("PMREPORT_PLUGIN(Robot3Rps)") && Contains("name = \"3-rps\";"));
   CHECK_THAT(files.at("CMakeLists.txt"), Contains("project(3-rps ") && Contains("pmreport_add_mechanism(3-rps mechanism.cpp)"));
 }
 
@@ -190,5 +190,5 @@ TEST_CASE("a mechanism that breaks among several is told, and the others are che
 TEST_CASE("check without a mechanism says what it expects") {
   const Result result = pmreport({"check"});
   CHECK(result.status == 2);
-  CHECK(result.err == "error: check expects a mechanism, several, or --all\n");
+  CHECK(result.err == "error: check expects a mechanism, several, --all, or --scenario FILE\n");
 }

@@ -119,7 +119,8 @@ TEST_CASE("an unknown key is told with the nearest and with all") {
         "a.toml:8:1: error: unknown key \"sampels\" in [motion]; did you mean \"samples\"?\n"
         "  sampels = 3\n"
         "  ^\n"
-        "  hint: the keys are duration, samples, until, profile, waypoint, file, unwrap and from; and the coordinates x and phi, or the actuators "
+        "  hint: the keys are duration, samples, until, profile, waypoint, file, unwrap and from; and the coordinates x and phi, or the "
+        "actuators "
         "q and "
         "psi, "
         "each also by its rate, x_rate");

@@ -233,7 +233,8 @@ class Suite {
   }
 
   // Beside a singular surface another solution lies as near as the pose itself: the basin of the pose is as wide as its distance from the
-  // surface, of which the condition number is the reciprocal, in sizes of the mechanism.
+  // surface, of which the condition number is the reciprocal, in sizes of the mechanism. There, what actuator values are rounded by moves
+  // the pose by as many times that: it cannot be recovered nearer, and that much is not held against it.
   void round_trip(double condition) {
     VectorXd q(machine_.dof()), l(machine_.dof());
     for (int i = 0; i < machine_.dof(); ++i) {
@@ -245,8 +246,14 @@ class Suite {
     const ForwardSolution s = forward_.solve(l, guess);
     double worst = 0;
     for (int i = 0; i < q.size(); ++i)
-      worst = std::max(worst, std::abs(s.coordinates(i) - q(i)) /
-                                  size_of(machine_.topology().coordinates[static_cast<std::size_t>(i)].sense(), length_));
+      worst = larger_or_nan(worst, std::abs(s.coordinates(i) - q(i)) /
+                                       size_of(machine_.topology().coordinates[static_cast<std::size_t>(i)].sense(), length_));
+    double longest = 1;
+    for (int i = 0; i < l.size(); ++i)
+      longest = std::max(longest, std::abs(l(i)) / size_of(machine_.topology().actuators[static_cast<std::size_t>(i)].sense(), length_));
+    constexpr double roundings = 16;  // of an actuator value, by a dozen operations before its root
+    const double rounding = roundings * std::numeric_limits<double>::epsilon() * longest * condition;
+    worst = worst <= rounding ? 0 : worst - rounding;
     note(*p_.round_trip, s.outcome == Outcome::good ? worst : std::numeric_limits<double>::infinity(),
          [&] { return s.why.empty() ? label_ : s.why + " at " + label_; });
   }

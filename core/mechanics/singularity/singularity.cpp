@@ -33,8 +33,9 @@ std::optional<Matrix6d> jacobian_at(const Machine& machine, const VectorXd& coor
 
 // Of sorted singular values the one after which only zeros are expected.
 double margin(const MatrixXd& m, Index expected_rank) {
+  if (expected_rank < 1 || m.size() == 0) return 0;  // a platform alone has no other bodies
   const VectorXd sigma = linear::singular_values(m);
-  return expected_rank > 0 && expected_rank <= sigma.size() ? sigma(expected_rank - 1) : 0.0;
+  return expected_rank <= sigma.size() ? sigma(expected_rank - 1) : 0.0;
 }
 
 }  // namespace

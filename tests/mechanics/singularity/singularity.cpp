@@ -196,3 +196,45 @@ TEST_CASE("a row of zeros adds nothing to the ranks of lines") {
   CHECK(ranks.wrenches == 5);
   CHECK(line_ranks(machine, linear::Matrix6d::Zero(), length).wrenches == 0);
 }
+
+namespace {
+
+// A platform on a rail, and nothing else.
+class Rail : public Mechanism<1> {
+ public:
+  static constexpr const char *name = "rail", *title = "a platform on a rail", *source = "this test";
+  static constexpr std::array<Parameter, 0> parameters{};
+  explicit Rail(const Parameters&) {}
+  Topology topology() const {
+    Topology t;
+    t.coordinates = {{"x", "position", "m", 0, {-1, 1}}};
+    t.platform = t.add(Body{"platform", 0, false, {}});
+    t.add(Joint{"P", JointKind::prismatic, 0, 1, {}});
+    t.add(Actuator{"q", "position", "m", 0, {-1, 1}});
+    for (const char* n : {"fy", "fz"}) t.constraints.push_back({n, "", "N"});
+    for (const char* n : {"mx", "my", "mz"}) t.constraints.push_back({n, "", "N*m"});
+    return t;
+  }
+  template <class T>
+  void place(const Coordinates<T>& q, Placement<T>& at) const {
+    const Vector3<T> p(q[0], T(0.0), T(0.0));
+    at.body(1, p, Matrix3<T>(Matrix3<T>::Identity()));
+    at.joint(0, p, Vector3d::UnitX().cast<T>());
+    at.actuator(0, q[0]);
+  }
+  template <class T>
+  Matrix6<T> jacobian(const Placement<T>&) const {
+    return Matrix6<T>(Matrix6<T>::Identity());
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a platform on one slide has no other body that could move, and is regular") {
+  const Machine machine = test::make(contract::mechanism<Rail>);
+  const State home = state_at_rest(machine, machine.home());
+  const LockedFreedoms f = locked_freedoms(machine, home, mobility(machine, home), characteristic_length(machine));
+  CHECK(type_of(f, machine.dof()) == SingularityType::regular);
+  CHECK(f.free == 1);
+  CHECK(f.inverse_margin == 0);
+}
