@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <core/mechanics/model/joint_words.hpp>
 #include <core/scenario/sizing_part.hpp>
+#include <core/text/digits.hpp>
 #include <core/text/text.hpp>
 
 namespace pmreport::scenario {
@@ -96,9 +97,11 @@ std::optional<double> read_within(const Entry& entry, double least, double most,
   constexpr double slack = 1e-12;
   const double low = least * in.factor, high = most * in.factor;
   if (*value >= low * (1 - slack) && *value <= high * (1 + slack)) return std::clamp(*value, low, high);
-  const auto shown = [&](double x) { return format_number(x, 6) + (unit.empty() ? "" : " " + unit); };
+  const auto in_unit = [&](const std::string& number) { return number + (unit.empty() ? "" : " " + unit); };
   reader.diagnostics().add(
-      entry.value.place, fmt::format("expected {} to {} for {}, seen {}", shown(least), shown(most), entry.key, shown(*value / in.factor)),
+      entry.value.place,
+      fmt::format("expected {} to {} for {}, seen {}", in_unit(format_number(least, 6)), in_unit(format_number(most, 6)), entry.key,
+                  in_unit(format_outside(*value / in.factor, least, most, 6))),
       hint);
   return std::nullopt;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <core/scenario/section/section_part.hpp>
+#include <core/text/digits.hpp>
 #include <core/text/text.hpp>
 
 namespace pmreport::scenario {
@@ -180,7 +181,7 @@ std::optional<Measured> read_measured(const Value& value, const Measurable& meas
     if (out.reduction == "at" && span && !span->empty() && !(out.time >= span->begin && out.time <= span->end))
       throw ExpressionError(time.offset,
                             fmt::format("expected a time within the motion, {} s to {} s, seen {} s", format_number(span->begin, 6),
-                                        format_number(span->end, 6), format_number(out.time, 6)));
+                                        format_number(span->end, 6), format_outside(out.time, span->begin, span->end, 6)));
     if (measurable.topology) {
       resolve(name, measurable, *measurable.topology, out);
       narrow(measurable, name.offset, out);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <core/scenario/mechanism_part.hpp>
+#include <core/text/digits.hpp>
 #include <core/text/text.hpp>
 
 namespace pmreport::scenario {
@@ -15,6 +16,14 @@ std::string shown(double si, const ParameterInfo& info) {
               : fmt::format("{}{}{}", format_number(si, 6), info.unit.empty() ? "" : " ", info.unit);
 }
 
+// Outside the range, so that its digits tell it from the end.
+std::string shown_outside(double si, const ParameterInfo& info) {
+  const auto unit = parse_unit(info.display);
+  const double factor = unit ? unit->factor : 1;
+  const std::string& symbol = unit ? info.display : info.unit;
+  return format_outside(si / factor, info.min / factor, info.max / factor, 6) + (symbol.empty() ? "" : " " + symbol);
+}
+
 std::optional<double> read_number(const Value& value, const ParameterInfo& info, const Reader& reader) {
   const auto number = reader.quantity(value, parse_unit(info.unit).value_or(Unit{}).dimension);
   if (!number) return std::nullopt;
@@ -22,7 +31,7 @@ std::optional<double> read_number(const Value& value, const ParameterInfo& info,
   const double slack = 1e-12 * std::max(std::abs(info.min), std::abs(info.max));
   if (*number >= info.min - slack && *number <= info.max + slack) return std::clamp(*number, info.min, info.max);
   reader.diagnostics().add(value.place, fmt::format("expected {} to {} for {}, seen {}", shown(info.min, info), shown(info.max, info),
-                                                    info.name, shown(*number, info)));
+                                                    info.name, shown_outside(*number, info)));
   return std::nullopt;
 }
 

@@ -63,4 +63,9 @@ std::vector<std::string> format_together(const std::vector<double>& values, int 
   return out;
 }
 
+std::string format_outside(double seen, double low, double high, int digits) {
+  constexpr int of_the_excess = 2;
+  return format_together({seen, seen < low ? low : high}, digits, of_the_excess).front();
+}
+
 }  // namespace pmreport

@@ -11,4 +11,7 @@ namespace pmreport {
 // but for `rounding` are not set apart.
 std::vector<std::string> format_together(const std::vector<double>& values, int digits, int of_span, double rounding = 0);
 
+// A number that lies outside [low, high], with the digits that set it apart from the end beyond which it lies.
+std::string format_outside(double seen, double low, double high, int digits);
+
 }  // namespace pmreport

@@ -215,6 +215,13 @@ TEST_CASE("a check names columns that the report has, with bounds of their dimen
   CHECK_THAT(check("that = 3\nbelow = \"1 m\"\n"), Contains("expected a text in quotes, seen the number 3"));
 }
 
+TEST_CASE("what lies just outside a range does not read like its end") {
+  CHECK_THAT(told(with("arm = \"200 mm\"", "arm = \"1000.0000004 mm\"")),
+             Contains("expected 10 mm to 1000 mm for arm, seen 1000.0000004 mm"));
+  CHECK_THAT(told(with_more("[[check]]\nthat = \"at(x, 2.0000001 s)\"\nbelow = \"1 m\"\n")),
+             Contains("expected a time within the motion, 0 s to 2 s, seen 2.0000001 s"));
+}
+
 TEST_CASE("a check that equals a number says how near, unless it counts") {
   const auto check = [](const std::string& lines) { return told(with_more("[[check]]\n" + lines)); };
   CHECK(check("that = \"max(x)\"\nequals = \"20 mm\"\nwithin = \"1 um\"\n").empty());

@@ -22,6 +22,12 @@ TEST_CASE("numbers that differ by little get the digits that show it, both alike
   CHECK(format_together({1.0000001e-9, 1e-9}, 3, 2) == Texts{"1.0000001e-9", "1e-9"});
 }
 
+TEST_CASE("a number just outside a range is told from its end") {
+  CHECK(format_outside(1000.0001, 10, 1000, 6) == "1000.0001");
+  CHECK(format_outside(9.99999999, 10, 1000, 6) == "9.99999999");
+  CHECK(format_outside(5000, 10, 1000, 6) == "5000");
+}
+
 TEST_CASE("rounding sets nothing apart, and no more digits are written than a double has") {
   CHECK(format_together({550 + 1e-13, 550}, 4, 2, 1e-12) == Texts{"550", "550"});
   CHECK(format_together({550, 550}, 4, 2) == Texts{"550", "550"});

@@ -1,4 +1,5 @@
 #include <core/scenario/section/reading.hpp>
+#include <core/text/digits.hpp>
 
 namespace pmreport::scenario {
 namespace {
@@ -19,8 +20,9 @@ std::optional<double> read_time(const Value& value, const std::optional<TimeSpan
     return std::nullopt;
   }
   if (!t || !span || (*t >= span->begin && *t <= span->end)) return t;
-  reader.diagnostics().add(value.place, fmt::format("expected a time within the motion, {} s to {} s, seen {} s",
-                                                    format_number(span->begin, 6), format_number(span->end, 6), format_number(*t, 6)));
+  reader.diagnostics().add(value.place,
+                           fmt::format("expected a time within the motion, {} s to {} s, seen {} s", format_number(span->begin, 6),
+                                       format_number(span->end, 6), format_outside(*t, span->begin, span->end, 6)));
   return std::nullopt;
 }
 
