@@ -24,6 +24,7 @@
 #include <core/linear/singular_values.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -31,7 +32,6 @@
 namespace pmreport::mechanics {
 
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 namespace {
 
@@ -48,6 +48,13 @@ constexpr double joined = 1e-6;                                // bodies in one 
 constexpr double longest = 0.1, shortest = 1e-4, edge = 2e-3;  // steps along a curve
 constexpr int most_steps = 2000;
 constexpr std::size_t most_poses = 200, tried = 3;  // of a family of more dimensions; neighbours that a pose is walked to from
+
+double apart(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  const double *p = a.data(), *q = b.data();
+  for (std::size_t i = 0, n = a.size(); i < n; ++i) sum += (p[i] - q[i]) * (p[i] - q[i]);
+  return std::sqrt(sum);
+}
 
 }  // namespace
 
@@ -70,18 +77,33 @@ ContinuumSearch::Spot ContinuumSearch::spot(std::size_t word, const SmallVector&
     for (Eigen::Index j = 0; j < n; ++j) s.slope(i, j) = at[1 + j] * target_.coordinate_scale(j) / target_.actuator_scale(i);
   }
   s.error = target_.error(values);
-  const auto rows = static_cast<Eigen::Index>(bodies_end - 1);
-  VectorXd scale = VectorXd::Ones(rows);
+  // By plain loops: these are most of the work.
+  const std::size_t rows = bodies_end - 1, dof = static_cast<std::size_t>(n);
+  std::vector<double> scale(rows, 1);
   for (std::size_t b = 1; b < m.topology().bodies.size(); ++b)
-    scale.segment<3>(static_cast<Eigen::Index>(m.layout().body(static_cast<int>(b)) - 1)).setConstant(1 / target_.size());
+    for (std::size_t k = 0; k < 3; ++k) scale[m.layout().body(static_cast<int>(b)) - 1 + k] = 1 / target_.size();
+  std::array<double, 6> by{};
+  for (std::size_t j = 0; j < dof; ++j) by[j] = target_.coordinate_scale(static_cast<Eigen::Index>(j));
+  std::array<double, 36> gram{};
   s.bodies.resize(rows);
-  s.body_slope.resize(rows, n);
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    const double* at = scalar(static_cast<std::size_t>(i + 1));
-    s.bodies(i) = at[0] * scale(i);
-    for (Eigen::Index j = 0; j < n; ++j) s.body_slope(i, j) = at[1 + j] * target_.coordinate_scale(j) * scale(i);
+  s.motion.resize(rows * dof);
+  bool finite = true;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double* at = scalar(i + 1);
+    double* row = s.motion.data() + i * dof;
+    s.bodies[i] = at[0] * scale[i];
+    for (std::size_t j = 0; j < dof; ++j) {
+      row[j] = at[1 + j] * by[j] * scale[i];
+      for (std::size_t k = 0; k <= j; ++k) gram[6 * j + k] += row[j] * row[k];
+    }
+    finite = finite && std::isfinite(s.bodies[i]);
   }
-  s.reached = s.error.allFinite() && s.slope.allFinite() && s.bodies.allFinite() && s.body_slope.allFinite();
+  s.gram.resize(n, n);
+  for (std::size_t j = 0; j < dof; ++j)
+    for (std::size_t k = 0; k <= j; ++k)
+      s.gram(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) =
+          s.gram(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j)) = gram[6 * j + k];
+  s.reached = finite && s.error.allFinite() && s.slope.allFinite() && s.gram.allFinite();
   return s;
 }
 
@@ -115,8 +137,8 @@ MatrixXd ContinuumSearch::null_directions(const Spot& s, double bound) const {
 MatrixXd ContinuumSearch::moving(const Spot& s, double bound) const {
   const MatrixXd null = null_directions(s, bound);
   if (null.cols() == 0) return null;
-  const linear::LeftSingular of = linear::left_singular((s.body_slope * null).transpose());
-  return null * of.vectors.leftCols((of.values.array() > unmoved).count());
+  const linear::LeftSingular of = linear::left_singular(null.transpose() * s.gram * null);  // squares of how fast the bodies go
+  return null * of.vectors.leftCols((of.values.array() > unmoved * unmoved).count());
 }
 
 // Those of them in which the family goes on: all secants of it to either side lie in their span.
@@ -162,7 +184,7 @@ ContinuumSearch::Step ContinuumSearch::advance(Spot& s, SmallVector& direction, 
   if (!next.reached) return Step::edge;
   if (const Step how = settle(next, 0.5 * h); how != Step::done) return how;
   if (!((next.u - s.u).dot(direction) >= 0.5 * h)) return Step::lost;
-  if (!((next.bodies - s.bodies).norm() >= 0.25 * h * (s.body_slope * direction).norm())) return Step::lost;
+  if (!(apart(next.bodies, s.bodies) >= 0.25 * h * std::sqrt(direction.dot(s.gram * direction)))) return Step::lost;
   const MatrixXd t = tangents(next, bound);
   const SmallVector turned = t * (t.transpose() * direction);
   if (!(turned.norm() >= 0.85)) return Step::lost;
@@ -201,25 +223,30 @@ Root ContinuumSearch::judge(const Site& mode) const {
 
 // Along the family to where the bodies are in a given place, by the way that nears them most. False where that does not lead there. The
 // tangents are taken anew only where the way has become long: each step is brought back to the family.
-bool ContinuumSearch::walk_to(Spot s, const VectorXd& bodies, double bound, double tolerance) const {
-  double apart = (bodies - s.bodies).norm(), gone = 0;
+bool ContinuumSearch::walk_to(Spot s, const std::vector<double>& bodies, double bound, double tolerance) const {
+  double away = apart(bodies, s.bodies), gone = 0;
   MatrixXd t = s.ways.size() > 0 ? s.ways : tangents(s, bound);
-  for (int k = 0; k < 60 && apart > tolerance; ++k) {
+  for (int k = 0; k < 60 && away > tolerance; ++k) {
     if (gone > 2 * longest) t = tangents(s, bound), gone = 0;
     if (t.cols() == 0) return false;
-    SmallVector step = t * linear::least_norm_solution(MatrixXd(s.body_slope * t), bodies - s.bodies, truncated);
+    // Along the tangents, least |D t c - (bodies less those here)|.
+    SmallVector pull = SmallVector::Zero(s.u.size());
+    const std::size_t dof = static_cast<std::size_t>(s.u.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      for (std::size_t j = 0; j < dof; ++j) pull.data()[j] += s.motion.data()[i * dof + j] * (bodies.data()[i] - s.bodies.data()[i]);
+    SmallVector step = t * linear::least_norm_solution(MatrixXd(t.transpose() * s.gram * t), t.transpose() * pull, truncated);
     if (step.norm() > longest) step *= longest / step.norm();
     bool nearer = false;
     for (int halved = 0; halved < 4 && !nearer; ++halved, step *= 0.5) {
       Spot next = spot(s.word, s.u + step);
       if (!next.reached || settle(next, 0.5 * step.norm() + tolerance) != Step::done) continue;
-      const double now = (bodies - next.bodies).norm();
-      nearer = now < 0.95 * apart;
-      if (nearer) s = std::move(next), apart = now, gone += step.norm();
+      const double now = apart(bodies, next.bodies);
+      nearer = now < 0.95 * away;
+      if (nearer) s = std::move(next), away = now, gone += step.norm();
     }
     if (!nearer) return false;
   }
-  return apart <= tolerance;
+  return away <= tolerance;
 }
 
 std::optional<std::size_t> ContinuumSearch::holding(const Site& mode) {
@@ -230,13 +257,13 @@ std::optional<std::size_t> ContinuumSearch::holding(const Site& mode) {
     if (found_[c].word != mode.word) continue;
     const std::vector<Spot>& spots = spots_[c];
     std::vector<std::pair<double, std::size_t>> near;
-    for (std::size_t k = 0; k < spots.size(); ++k) near.emplace_back((spots[k].bodies - s.bodies).norm(), k);
+    for (std::size_t k = 0; k < spots.size(); ++k) near.emplace_back(apart(spots[k].bodies, s.bodies), k);
     const std::size_t n = std::min(tried, near.size());
     std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(n), near.end());
     for (std::size_t i = 0; i < n; ++i) {
       const Spot& from = spots[near[i].second];
       // On a curve the nearest of its poses is not more than a step away.
-      if (found_[c].dimension == 1 && near[i].first > 2 * longest * from.body_slope.norm()) break;
+      if (found_[c].dimension == 1 && near[i].first > 2 * longest * std::sqrt(from.gram.trace())) break;
       if (!walk_to(from, s.bodies, bounds_[c], joined_[c])) continue;
       if (found_[c].dimension > 1 && near[0].first > stride && spots.size() < most_poses) keep(c, s, false);
       return c;
@@ -250,7 +277,7 @@ bool ContinuumSearch::follow(const Spot& start, SmallVector direction, double bo
   Spot now = start;
   double h = 0.5 * longest, farthest = 0;
   for (int k = 0; k < most_steps;) {
-    const VectorXd before = now.bodies;
+    const std::vector<double> before = now.bodies;
     const Step how = advance(now, direction, h, bound);
     if (how != Step::done) {
       h *= 0.5;
@@ -259,7 +286,7 @@ bool ContinuumSearch::follow(const Spot& start, SmallVector direction, double bo
       continue;
     }
     ++k;
-    const double step = (now.bodies - before).norm(), home = (now.bodies - start.bodies).norm();
+    const double step = apart(now.bodies, before), home = apart(now.bodies, start.bodies);
     if (farthest > 3 * step && home < 1.5 * step && walk_to(now, start.bodies, bound, std::sqrt(joined))) return true;
     farthest = std::max(farthest, home);
     passed.push_back(now);
@@ -329,7 +356,7 @@ bool ContinuumSearch::join(std::size_t into, std::size_t from) {
   for (std::size_t k = 0; k < std::min(tried, spots_[from].size()); ++k) {
     const Spot& s = spots_[from][k];
     std::vector<std::pair<double, std::size_t>> near;
-    for (std::size_t i = 0; i < spots_[into].size(); ++i) near.emplace_back((spots_[into][i].bodies - s.bodies).norm(), i);
+    for (std::size_t i = 0; i < spots_[into].size(); ++i) near.emplace_back(apart(spots_[into][i].bodies, s.bodies), i);
     std::ranges::sort(near);
     for (std::size_t i = 0; i < std::min(2 * tried, near.size()); ++i) {
       const Spot& other = spots_[into][near[i].second];

@@ -39,8 +39,9 @@ class ContinuumSearch {
     std::size_t word = 0;
     SmallVector u, error;        // of the actuators, in numbers
     SmallMatrix slope;           // of the actuators by u
-    Eigen::VectorXd bodies;      // origins by the mechanism's size, rotations' elements
-    Eigen::MatrixXd body_slope;  // by u
+    std::vector<double> bodies;  // origins by the mechanism's size, rotations' elements
+    std::vector<double> motion;  // of the bodies by u: D, a row for each of their numbers
+    SmallMatrix gram;            // D^T D
     Eigen::MatrixXd ways;        // of a pose that is kept: tangents of the family
   };
   enum class Step { done, edge, lost };
@@ -53,7 +54,7 @@ class ContinuumSearch {
   Step settle(Spot& s, double reach) const;
   Step advance(Spot& s, SmallVector& direction, double h, double bound) const;
   bool goes_on(const Spot& s, const SmallVector& direction, double bound) const;
-  bool walk_to(Spot s, const Eigen::VectorXd& bodies, double bound, double tolerance) const;
+  bool walk_to(Spot s, const std::vector<double>& bodies, double bound, double tolerance) const;
   bool follow(const Spot& start, SmallVector direction, double bound, std::vector<Spot>& passed, bool& whole) const;
   bool join(std::size_t into, std::size_t from);
   void keep(std::size_t continuum, Spot s, bool in_front);

@@ -24,7 +24,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr int most_steps = 60;
+constexpr int most_steps = 40;
 constexpr double longest = 0.3, truncated = 1e-9;
 constexpr double converged = 1e-13, verified = 1e-10;  // errors of the loop equations
 constexpr double misaligned = 1e-6;                    // [rad]: an axis turned over is far beyond

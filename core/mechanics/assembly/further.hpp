@@ -26,6 +26,6 @@ struct FurtherModes {
 // found, the platform moved and turned at random, all bodies between base and platform by their share of the way. `found` has the modes of
 // all working modes. The same numbers on every run. No number of starts proves that there are no more.
 FurtherModes find_further_modes(const Machine& machine, const Eigen::VectorXd& actuators, const Eigen::VectorXd& reference,
-                                const AssemblyModes& found, int starts = 100);
+                                const AssemblyModes& found, int starts = 60);
 
 }  // namespace pmreport::mechanics
