@@ -59,7 +59,7 @@ Result assembly_section(const Analysis& a, const AssemblyOptions& r, const Stage
     blocks.push_back(
         Paragraph{Paragraph::Tone::warning,
                   "The pose of the motion lies on a continuum: its actuators do not hold the platform there, which moves along "
-                  "it while they stand still. Continua are not followed along the motion."});
+                  "it while they stand still."});
   tell(fmt::format(
       "The distance between two poses is √(|Δp|² + (L·θ)²), with Δp the way of the reference point, θ the angle between the two "
       "orientations and L = {} the characteristic length.",
