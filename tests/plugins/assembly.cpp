@@ -166,3 +166,50 @@ TEST_CASE("a delta robot has its hub at either of the two points where three sph
   for (const AssemblyMode& m : found.modes) CHECK(m.coordinates.head(2).norm() < 1e-9);
   CHECK(std::abs(found.modes[0].coordinates(2) - found.modes[1].coordinates(2)) > 0.1);
 }
+
+TEST_CASE("a delta robot all but stretched has both points of its spheres as well, the other one close to where its limbs are folded") {
+  const pm_mechanism& table = test::plugin("delta");
+  const Machine machine(table, default_values(describe(table)));
+  const double base = 0.2, platform = 0.08, arm = 0.524, rod = 1.244;  // its default sizes [m]
+  const double stretched = -std::sqrt((arm + rod) * (arm + rod) - (base - platform) * (base - platform));
+  for (const double inside : {1e-6, 1e-3, 1e-2}) {
+    CAPTURE(inside);
+    const Eigen::Vector3d q(0, 0, stretched + inside);
+    const Eigen::VectorXd actuators = actuators_at(machine, q);
+    const AssemblyModes found = find_assembly_modes(machine, actuators, q);
+    // All arms alike: the elbows are on a circle about Z, and the spheres about them, moved inwards by the platform's radius, meet on Z.
+    const double theta = actuators(0), out = base + arm * std::cos(theta) - platform, level = -arm * std::sin(theta);
+    REQUIRE(found.modes.size() == 2);
+    CHECK(found.modes[0].coordinates(2) == Approx(level - std::sqrt(rod * rod - out * out)).epsilon(1e-9));
+    CHECK(found.modes[1].coordinates(2) == Approx(level + std::sqrt(rod * rod - out * out)).epsilon(1e-9));
+    for (const AssemblyMode& m : found.modes) CHECK(m.coordinates.head(2).norm() < 1e-6);
+  }
+}
+
+TEST_CASE("the hub of a delta robot may also stand turned, each rod still from ball to ball") {
+  const pm_mechanism& table = test::plugin("delta");
+  const Machine machine(table, default_values(describe(table)));
+  const AssemblyModes found = modes_at(machine, machine.home());
+  REQUIRE(found.further.has_value());
+  CHECK(found.further->missed == 0);
+  CHECK(found.further->seen == static_cast<int>(found.modes.size()));
+  CHECK_FALSE(found.further->poses.empty());
+  const Pose& home = machine.home_pose();
+  const int hub = machine.topology().platform;
+  for (const FurtherPose& f : found.further->poses) {
+    CHECK((f.rotation - Eigen::Matrix3d::Identity()).norm() > 0.1);  // else the coordinates would say it
+    // Elbows stay where the motors hold them. A rod's upper ball is at its elbow, the lower one where the hub carries it.
+    for (int i = 0; i < static_cast<int>(machine.topology().joints.size()); ++i) {
+      const Joint& lower = machine.topology().joints[static_cast<std::size_t>(i)];
+      if (lower.b != hub && lower.a != hub) continue;
+      const int rod = lower.a == hub ? lower.b : lower.a;
+      for (int k = 0; k < static_cast<int>(machine.topology().joints.size()); ++k) {
+        const Joint& upper = machine.topology().joints[static_cast<std::size_t>(k)];
+        if (k == i || (upper.a != rod && upper.b != rod)) continue;
+        const Eigen::Vector3d on_hub = machine.centre(home, i) - machine.origin(home, hub);  // home is not turned
+        const double length = (machine.centre(home, i) - machine.centre(home, k)).norm();
+        CHECK((f.origin + f.rotation * on_hub - machine.centre(home, k)).norm() == Approx(length).epsilon(1e-9));
+      }
+    }
+  }
+}
