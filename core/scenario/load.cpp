@@ -63,15 +63,24 @@ Load sampled(LoadPart part, const std::vector<double>& time, Diagnostics& diagno
   for (std::size_t k = 0; k < 6; ++k) {
     if (!part.components[k]) continue;
     const LoadPart::Component& component = *part.components[k];
-    if (time.size() > 1)
-      for (const Switch& s : behaviour(component.expression, time.front(), time.back()).switches) out.knots.push_back(s.time());
+    if (time.size() > 1) {
+      const Behaviour own = behaviour(component.expression, time.front(), time.back());
+      if (!own.complete)
+        diagnostics.add(component.place, fmt::format("{} wavers or switches more often than can be looked at", component.key),
+                        "look at a shorter motion, or at a slower load");
+      for (const Switch& s : own.switches) out.knots.push_back(s.time());
+      out.steps.insert(out.steps.end(), own.steps.begin(), own.steps.end());
+    }
     for (std::size_t i = 0; i < time.size(); ++i) {
       const Jet<double> x = component.expression.at(time[i]);
       if (!finite(Jet<double>(x.value), time[i], component.place, component.key, diagnostics)) break;
       (k < 3 ? out.force : out.moment)[i](static_cast<Eigen::Index>(k % 3)) = x.value;
     }
   }
-  std::sort(out.knots.begin(), out.knots.end());
+  for (std::vector<double>* times : {&out.knots, &out.steps}) {
+    std::sort(times->begin(), times->end());
+    times->erase(std::unique(times->begin(), times->end()), times->end());
+  }
   return out;
 }
 

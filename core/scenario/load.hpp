@@ -13,6 +13,7 @@ struct Load {                                               // wrench on the pla
   Eigen::Vector3d gravity{0, 0, 0};                         // [m/s^2]; none unless the scenario gives it: the bodies are weightless then
   std::function<Eigen::Matrix<double, 6, 1>(double t)> at;  // force and moment at any time of the motion
   std::vector<double> knots;                                // rising: times inside the motion at which it may be anything but smooth
+  std::vector<double> steps;                                // rising: between two neighbours a handful of points show all that it does
   std::string description;
 };
 

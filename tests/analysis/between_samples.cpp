@@ -101,6 +101,20 @@ TEST_CASE("actuators and motions from forces are looked at too") {
   CHECK(sprung[0].what == "x");
 }
 
+TEST_CASE("a load that the samples do not show is told where forces are asked for") {
+  const std::string motion = "x = \"20 mm * sin(2*pi*t/2 s)\"\n",
+                    load = "[load]\nmoment = [\"0 N*m\", \"0 N*m\", \"3 N*m * sin(2*pi*10 Hz*t)\"]\n";
+  CHECK(unseen(motion + load, 21).empty());
+  for (const char* kind : {"statics", "dynamics"}) {
+    const auto found = unseen(motion + load, 21, {kind});
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].what == "the load's moment about z");
+    CHECK(found[0].unit == "N*m");
+    CHECK(found[0].moves == Approx(6).epsilon(0.01));
+    CHECK(unseen(motion + load, static_cast<int>(found[0].enough), {kind}).empty());
+  }
+}
+
 TEST_CASE("at a time between two samples everything is as at a sample there") {
   const Run r = moving("x = \"20 mm * sin(2*pi*t/2 s)\"\n", 6, {"displacement", "velocity", "statics", "dynamics"});
   const analysis::Instant i(r.analysis, 0.7);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace pmreport::analysis {
@@ -39,82 +40,67 @@ std::vector<double> divided(const std::vector<double>& t) {
   return out;
 }
 
+using Numbers = std::vector<double>;  // of every quantity its orders
+
+// Looks at a number of quantities, of each at its value alone or at all three orders.
+struct Quantities {
+  std::size_t count, orders;
+  std::vector<double> steps;
+  std::function<bool(double t, Numbers& out)> at;            // false where they have none
+  std::function<bool(std::size_t sample, Numbers& out)> of;  // the same at a sample
+};
+
 class Looker {
  public:
-  explicit Looker(const Analysis& a) : a_(a), motion_(*a.scenario().motion), dof_(static_cast<std::size_t>(a.machine().dof())) {
-    looks_.resize(orders * dof_);
-    left_.resize(looks_.size()), right_ = left_;
-  }
+  Looker(const std::vector<double>& times, const Quantities& quantities)
+      : times_(times), q_(quantities), looks_(q_.orders * q_.count), left_(looks_.size()), right_(looks_.size()) {}
 
   const std::vector<Look>& look() {
-    const std::vector<double>& t = a_.time();
-    const std::vector<double> steps = motion_.steps.size() > 1 ? motion_.steps : divided(t);
-    for (std::size_t k = 0; k < t.size(); ++k)
-      if (sample(k))
-        for (std::size_t i = 0; i < looks_.size(); ++i)
-          looks_[i].sample_low = std::min(looks_[i].sample_low, right_[i]),
+    for (std::size_t k = 0; k < times_.size(); ++k)
+      if (q_.of(k, right_))
+        for (std::size_t i = 0; i < looks_.size(); ++i) {
+          looks_[i].sample_low = std::min(looks_[i].sample_low, right_[i]);
           looks_[i].sample_high = std::max(looks_[i].sample_high, right_[i]);
-    std::size_t interval = 0;
-    for (std::size_t i = 1; i < steps.size(); ++i) {
-      const double from = std::max(steps[i - 1], t.front()), to = std::min(steps[i], t.back());
-      if (from < to) stretch(from, to, interval);
+        }
+    for (std::size_t i = 1; i < q_.steps.size(); ++i) {
+      const double from = std::max(q_.steps[i - 1], times_.front()), to = std::min(q_.steps[i], times_.back());
+      if (from < to) stretch(from, to);
     }
     return looks_;
   }
 
  private:
-  using Numbers = std::vector<double>;  // of every coordinate its value, rate and acceleration
-
-  bool at(double t, Numbers& out) {
-    Numbers value(dof_), rate(dof_), acceleration(dof_);
-    const mechanics::Path& path = motion_.prescribed ? motion_.prescribed : a_.trajectory().at;
-    if (!path(t, value.data(), rate.data(), acceleration.data())) return false;
-    for (std::size_t i = 0; i < dof_; ++i) out[orders * i] = value[i], out[orders * i + 1] = rate[i], out[orders * i + 2] = acceleration[i];
-    return true;
-  }
-
-  // The numbers of a sample, in right_. False where it has none.
-  bool sample(std::size_t k) {
-    const mechanics::Trajectory& m = a_.trajectory();
-    if (!m.reaches(static_cast<int>(k))) return false;
-    if (motion_.by_actuators()) return at(m.time[k], right_);
-    for (std::size_t i = 0; i < dof_; ++i) {
-      const auto row = static_cast<Eigen::Index>(k), column = static_cast<Eigen::Index>(i);
-      right_[orders * i] = m.value(row, column), right_[orders * i + 1] = m.rate(row, column);
-      right_[orders * i + 2] = m.acceleration(row, column);
-    }
-    return true;
-  }
-
   // A rate that turns between two samples is shown by their accelerations: the cubic that has both rates and both accelerations.
-  double foretold(std::size_t i, double time, double from, double to) const {
-    const double h = to - from, u = (time - from) / h, v = 1 - u;
+  double foretold(std::size_t i, double time) const {
+    const double from = times_[interval_], h = times_[interval_ + 1] - from, u = (time - from) / h, v = 1 - u;
     return v * v * (1 + 2 * u) * left_[i] + u * u * (1 + 2 * v) * right_[i] + h * u * v * (v * left_[i + 1] - u * right_[i + 1]);
   }
 
-  // Within it the motion is a matter of a few points. `interval`: of samples, from which the search for that of a time goes on.
-  void stretch(double from, double to, std::size_t& interval) {
-    const std::vector<double>& t = a_.time();
+  // The samples around a time, which only rises.
+  void come_to(double time) {
+    while (interval_ + 2 < times_.size() && times_[interval_ + 1] < time) ++interval_;
+    if (interval_ == known_) return;
+    known_ = interval_;
+    between_ = q_.of(interval_, left_);
+    between_ = q_.of(interval_ + 1, right_) && between_;
+  }
+
+  // Within it all is a matter of a few points.
+  void stretch(double from, double to) {
     std::array<Numbers, places.size()> x;
     bool whole = true;
     for (std::size_t p = 0; p < places.size(); ++p) {
       const double time = from + places[p] * (to - from);
       x[p].resize(looks_.size());
-      if (!at(time, x[p])) {
+      if (!q_.at(time, x[p])) {
         whole = false;
         continue;
       }
-      while (interval + 2 < t.size() && t[interval + 1] < time) ++interval;
-      if (interval != known_) {
-        known_ = interval;
-        between_ = sample(interval);
-        left_ = right_;
-        between_ = sample(interval + 1) && between_;
-      }
+      come_to(time);
       for (std::size_t i = 0; i < looks_.size(); ++i) {
         looks_[i].see(x[p][i]);
         double beyond = std::max(x[p][i] - std::max(left_[i], right_[i]), std::min(left_[i], right_[i]) - x[p][i]);
-        if (i % orders == 1) beyond = std::min(beyond, std::abs(x[p][i] - foretold(i, time, t[interval], t[interval + 1])));
+        if (i % q_.orders == 1) beyond = std::min(beyond, std::abs(x[p][i] - foretold(i, time)));
         if (between_ && beyond > looks_[i].beyond) looks_[i].beyond = beyond, looks_[i].time = time;
       }
     }
@@ -125,14 +111,52 @@ class Looker {
         looks_[i].curvature = std::max(looks_[i].curvature, std::abs(x[p - 1][i] - 2 * x[p][i] + x[p + 1][i]) / (h * h));
   }
 
-  const Analysis& a_;
-  const scenario::MotionRequest& motion_;
-  std::size_t dof_;
+  const std::vector<double>& times_;
+  const Quantities& q_;
   std::vector<Look> looks_;
   Numbers left_, right_;
+  std::size_t interval_ = 0;                                     // of the samples around the time
   std::size_t known_ = std::numeric_limits<std::size_t>::max();  // the interval whose samples left_ and right_ are
   bool between_ = false;                                         // both have a pose
 };
+
+Quantities moved(const Analysis& a) {
+  const mechanics::Trajectory& m = a.trajectory();
+  const scenario::MotionRequest& motion = *a.scenario().motion;
+  const auto dof = static_cast<std::size_t>(a.machine().dof());
+  const mechanics::Path path = motion.prescribed ? motion.prescribed : m.at;
+  const auto at = [=](double t, Numbers& out) {
+    Numbers value(dof), rate(dof), acceleration(dof);
+    if (!path(t, value.data(), rate.data(), acceleration.data())) return false;
+    for (std::size_t i = 0; i < dof; ++i) out[orders * i] = value[i], out[orders * i + 1] = rate[i], out[orders * i + 2] = acceleration[i];
+    return true;
+  };
+  const auto of = [=, &m, &motion](std::size_t k, Numbers& out) {
+    if (!m.reaches(static_cast<int>(k))) return false;
+    if (motion.by_actuators()) return at(m.time[k], out);
+    for (std::size_t i = 0; i < dof; ++i) {
+      const auto row = static_cast<Eigen::Index>(k), column = static_cast<Eigen::Index>(i);
+      out[orders * i] = m.value(row, column), out[orders * i + 1] = m.rate(row, column), out[orders * i + 2] = m.acceleration(row, column);
+    }
+    return true;
+  };
+  return {dof, orders, motion.steps.size() > 1 ? motion.steps : divided(m.time), at, of};
+}
+
+Quantities loads(const Analysis& a) {
+  const scenario::Load& load = a.scenario().load;
+  const auto at = [&load](double t, Numbers& out) {
+    const Eigen::Matrix<double, 6, 1> wrench = load.at(t);
+    std::copy_n(wrench.data(), 6, out.data());
+    return true;
+  };
+  const auto of = [&load](std::size_t k, Numbers& out) {
+    std::copy_n(load.force[k].data(), 3, out.data());
+    std::copy_n(load.moment[k].data(), 3, out.data() + 3);
+    return true;
+  };
+  return {6, 1, load.steps, at, of};
+}
 
 // Between samples h apart an extreme is missed by h^2 / 8 times its curvature at most. Rounded up to a number that one would write.
 double samples_for(double span, double share, const Look& look) {
@@ -154,12 +178,10 @@ std::vector<Unseen> unseen_between_samples(const Analysis& a) {
                                         asked.acceleration_evidence || asked.forces};
   const double span = a.time().back() - a.time().front();
   const double pace = static_cast<double>(std::max(motion.steps.size(), a.time().size())) / span;
-  const std::vector<Look> looks = Looker(a).look();
-  const Topology& topology = a.machine().topology();
-  const auto add = [&](std::size_t i, const std::string& name, const std::string& unit) {
-    const Look* own = &looks[orders * i];
+  // The lowest order that counts and is hidden, among all of one quantity.
+  const auto add = [&](const Look* own, std::size_t count, const std::string& name, const std::string& unit) {
     const double largest = std::max(std::abs(own->low), std::abs(own->high));
-    for (std::size_t k = 0; k < orders; ++k) {
+    for (std::size_t k = 0; k < count; ++k) {
       const Look& x = own[k];
       const double moves = x.high - x.low;
       if (!counts[k] || !(moves > rounding * largest * std::pow(pace, static_cast<double>(k))) || !(x.beyond > allowed[k] * moves))
@@ -170,11 +192,22 @@ std::vector<Unseen> unseen_between_samples(const Analysis& a) {
       return;
     }
   };
+  const Topology& topology = a.machine().topology();
+  const Quantities motions = moved(a);
+  Looker at_motion(a.time(), motions);
+  const std::vector<Look>& looks = at_motion.look();
   for (std::size_t i = 0; i < topology.actuators.size(); ++i)
     if (motion.by_actuators())
-      add(i, topology.actuators[i].name, topology.actuators[i].unit);
+      add(&looks[orders * i], orders, topology.actuators[i].name, topology.actuators[i].unit);
     else
-      add(i, topology.coordinates[i].name, topology.coordinates[i].unit);
+      add(&looks[orders * i], orders, topology.coordinates[i].name, topology.coordinates[i].unit);
+  if ((asked.statics || asked.forces) && a.scenario().load.steps.size() > 1) {
+    const Quantities wrench = loads(a);
+    Looker at_load(a.time(), wrench);
+    const std::vector<Look>& seen = at_load.look();
+    for (std::size_t c = 0; c < 6; ++c)
+      add(&seen[c], 1, std::string("the load's ") + (c < 3 ? "force along " : "moment about ") + "xyz"[c % 3], c < 3 ? "N" : "N*m");
+  }
   std::stable_sort(out.begin(), out.end(), [](const Unseen& x, const Unseen& y) { return x.beyond * y.moves > y.beyond * x.moves; });
   return out;
 }

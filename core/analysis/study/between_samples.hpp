@@ -1,4 +1,4 @@
-// What a motion does between its samples, against what the samples show.
+// What a motion and its load do between the samples, against what the samples show.
 #pragma once
 
 #include <core/analysis/analysis.hpp>
@@ -8,9 +8,10 @@
 
 namespace pmreport::analysis {
 
-// A coordinate, or an actuator that is prescribed, that goes between samples where none of them goes.
+// A coordinate, an actuator that is prescribed, or a component of the load, that goes between samples where none of them goes.
 struct Unseen {
-  std::string what, unit;  // "x", and the unit of what is told of it, SI: of its value, its rate or its acceleration
+  std::string what,
+      unit;  // "x", "the load's force along x", and the unit of what is told of it, SI: of its value, its rate or its acceleration
   OfMotion of = OfMotion::value;
   double beyond = 0;        // how far it goes at most beyond the two samples around it, SI
   double time = 0;          // when [s]

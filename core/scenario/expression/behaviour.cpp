@@ -9,7 +9,7 @@ namespace pmreport::scenario {
 namespace {
 
 constexpr int fewest_steps = 64;
-constexpr std::size_t most_steps = 1u << 20;  // more periods than a million samples could show
+constexpr std::size_t most_steps = 1u << 21;  // more periods than a million samples could show
 constexpr std::size_t most_work = 1u << 27;   // terms evaluated: a second or two
 constexpr int deepest = 30;                   // halvings of one of the first steps
 constexpr int most_restless = 64;             // steps that are not short enough even so: beside a pole one or two are not

@@ -47,8 +47,8 @@ Law through(const Moved& m, Place place, const std::vector<double>& times, std::
   return out;
 }
 
-// Angles that come back by a turn are unwrapped, or taken as they stand, as the key says; where it says nothing, they are refused: `line`
-// tells where the point stands.
+// Angles that come back by a turn are unwrapped, or taken as they stand, as the key says; where it says nothing, they are refused:
+// `refuse` knows where the point stands.
 bool settle_turns(const Moved& m, const std::vector<double>& times, std::vector<double>& values, std::optional<bool> unwrapped,
                   const std::function<void(std::size_t point, const std::string& message, const std::string& hint)>& refuse) {
   if (sense_of(m.unit) != Sense::rotary || unwrapped == std::optional(false)) return true;

@@ -99,7 +99,8 @@ std::vector<document::Check> motion_demands(const Analysis& a, const std::vector
     out.push_back(c);
   };
   const int hidden = static_cast<int>(unseen.size()), jumping = count_jumps(a);
-  demand("the samples show the motion", hidden, fmt::format("{} of {} hidden", hidden, a.machine().dof()), unseen_sentences(a, unseen));
+  demand("the samples show the motion", hidden, hidden == 0 ? "nothing hidden" : fmt::format("{} hidden", hidden),
+         unseen_sentences(a, unseen));
   const analysis::Asked asked = analysis::asked_by(a.scenario());
   const bool rates_count = asked.velocity_evidence || asked.acceleration_evidence || asked.forces;
   if (rates_count && !a.scenario().motion->by_forces())
