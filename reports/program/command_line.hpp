@@ -28,7 +28,7 @@ struct Options {
   bool check_all = false;
   int poses = 1000;
   std::string parameters, setting;  // of the one to check: as in a scenario's table; the scenario that sets them
-  std::string folder;  // of a new mechanism
+  std::string folder;               // of a new mechanism
 };
 
 // What is asked for; or the exit status, when that was told at once: help, the version, a mistake.

@@ -74,8 +74,8 @@ std::string stem_of(const std::string& body) {
   return out;
 }
 
-// Masses or inertias that are named after the body, whichever `fault` is about: those that were changed; else others that were changed; else
-// those that were not.
+// Masses or inertias that are named after the body, whichever `fault` is about: those that were changed; else others that were changed;
+// else those that were not.
 std::vector<std::string> parameters_of(const Machine& machine, const std::string& body, const InertiaFault& fault) {
   const std::string stem = stem_of(body);
   std::vector<std::string> ranked[3];
