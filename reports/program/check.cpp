@@ -74,8 +74,12 @@ void check_settings(const mechanics::Settings& settings, const char* what, bool 
   }
   const int all = static_cast<int>(settings.taken.size());
   if (all == 0 && settings.refused == 0) return;
-  fmt::print("{} {}, home and {} random poses each: {}{}\n", all, what, poses, failed == 0 ? "pass" : fmt::format("{} FAIL", failed),
-             settings.refused > 0 ? fmt::format("; {} more were refused, such as: {}", settings.refused, settings.example) : "");
+  if (all > 0)
+    fmt::print("{} {}, home and {} random poses each: {}", all, what, poses, failed == 0 ? "pass" : fmt::format("{} FAIL", failed));
+  if (settings.refused > 0)
+    fmt::print("{}{} {} refused, such as: {}", all > 0 ? "; " : fmt::format("{}: ", what), settings.refused,
+               settings.refused == 1 ? "was" : "were", settings.example);
+  fmt::print("\n");
   for (const auto& [words, broken] : first) {
     fmt::print("  with {}\n", words);
     for (const Property& p : broken) print_property(p, "    ");

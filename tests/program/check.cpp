@@ -29,7 +29,7 @@ TEST_CASE("every mechanism of the house holds with its other choices, working mo
   CHECK_THAT(result.out, !Contains("FAIL") && !Contains("not examined"));
   // Two words of each of three elbows, less the ones that it has; six dependent coordinates, of which z is refused.
   CHECK_THAT(result.out, Contains("\n7 other choices, home and 50 random poses each: pass\n"));
-  CHECK_THAT(result.out, Contains("\n4 other choices, home and 50 random poses each: pass; 1 more were refused, such as: z cannot be the "
+  CHECK_THAT(result.out, Contains("\n4 other choices, home and 50 random poses each: pass; 1 was refused, such as: z cannot be the "
                                   "dependent coordinate"));
   CHECK(std::regex_search(result.out, std::regex("\n[3-9][0-9] other sizes, home and 50 random poses each: pass")));
 }

@@ -14,7 +14,7 @@ double mass_matrix_deviation(const Machine& machine, const State& state, const T
 
 // Energy: d/dt (kinetic + potential) by differences of eighth order along the motion of `state`, against the power of actuators and load.
 // Relative to the largest power among them. The step shrinks as `condition` grows, that of the closed form: a motion passes a singular
-// pose at a distance of some 1 / condition. Nothing where the motion leaves the reach.
+// pose at a distance of some 1 / condition. Nothing where the edge of reach is too near.
 std::optional<double> energy_deviation(const Machine& machine, const State& state, const ForceShares& forces, const Loading& loading,
                                        double condition, double length);
 

@@ -21,6 +21,43 @@ const Property& property(const std::vector<Property>& all, const std::string& cl
   throw std::out_of_range(claim);
 }
 
+// A parallelogram in the plane z = 0, cranks of 0.2 m and coupler of 0.4 m, whose home lies flat: there it may also fold.
+class Parallelogram : public Mechanism<1> {
+ public:
+  static constexpr const char *name = "parallelogram", *title = "a parallelogram", *source = "a test";
+  static constexpr std::array<Parameter, 0> parameters{};
+  explicit Parallelogram(const Parameters&) {}
+  Topology topology() const {
+    Topology t;
+    t.coordinates = {{"theta", "crank angle", "rad", 0, {-1, 1}}};
+    for (const char* n : {"crank", "coupler", "rocker"}) t.add(Body{n, 0, false, {}});
+    t.platform = 2;
+    for (int i = 0; i < 4; ++i) t.add(Joint{std::string(1, static_cast<char>('A' + i)), JointKind::revolute, i, (i + 1) % 4, {}});
+    t.add(Actuator{"q", "crank", "rad", 0, {-2, 2}});
+    for (const char* n : {"fx", "fy", "fz"}) t.constraints.push_back({n, "", "N"});
+    for (const char* n : {"mx", "my"}) t.constraints.push_back({n, "", "N*m"});
+    return t;
+  }
+  template <class T>
+  void place(const Coordinates<T>& q, Placement<T>& at) const {
+    const Vector3<T> z = Vector3d::UnitZ().cast<T>(), a = Vector3d::Zero().cast<T>(), x = Vector3d::UnitX().cast<T>();
+    const Vector3<T> along(cos(q[0]), sin(q[0]), T(0.0)), b = along * T(0.2), d = x * T(0.4);
+    const Vector3<T> c = b + d;
+    at.body(1, a, frame_xz(along, z));
+    at.body(2, b, Matrix3<T>(Matrix3<T>::Identity()));
+    at.body(3, c, frame_xz(along, z));
+    at.joint(0, a, z);
+    at.joint(1, b, z);
+    at.joint(2, c, z);
+    at.joint(3, d, z);
+    at.actuator(0, q[0]);
+  }
+  template <class T>
+  Matrix6<T> jacobian(const Placement<T>&) const {
+    return Matrix6<T>(Matrix6<T>::Identity());
+  }
+};
+
 const std::string unit_size = "constraint wrenches are of unit size", regular_home = "home is regular",
                   regular_jacobian = "jacobian is regular at home";
 
@@ -94,6 +131,14 @@ TEST_CASE("home on a singular surface is named as that, with the motion that not
         "home: home is on a singular surface; with every actuator held the platform can turn about (1.000, 0.000, 0.000); choose another "
         "home, or other sizes");
   CHECK(all.size() == 1);  // beside home it is sound
+}
+
+TEST_CASE("home that gains a freedom of its own is singular, though the mobility beside it is as declared") {
+  const pm_mechanism& flat = contract::mechanism<Parallelogram>;
+  const auto all = check_properties(Machine(flat, default_values(describe(flat))), {50, 1});
+  CHECK(property(all, "mobility is as declared").verdict() == Verdict::passed);
+  CHECK_THAT(property(all, regular_home).where,
+             StartsWith("home: home is on a singular surface; with every actuator free the platform has 2 freedoms there, not 1"));
 }
 
 TEST_CASE("an architecture that is singular everywhere is told as that") {
