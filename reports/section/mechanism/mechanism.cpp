@@ -43,13 +43,10 @@ Table parameters(const Analysis& a) {
 
 Table joints(const mechanics::Machine& m) {
   const Topology& t = m.topology();
-  Table table{
-      "Joints. Deflections and rotations count from home, or of a ball from the direction that the row gives, in axes of the body that "
-      "holds "
-      "the ball.",
-      {"joint", "kind", "connects", "with", "freedoms", "from", "to"},
-      {false, false, false, false, true, true, true},
-      {}};
+  Table table{"Joints. Deflections and rotations count from home.",
+              {"joint", "kind", "connects", "with", "freedoms", "from", "to"},
+              {false, false, false, false, true, true, true},
+              {}};
   const auto body = [&](int i) { return t.bodies[static_cast<std::size_t>(i)].name; };
   for (const Joint& j : t.joints) {
     const Actuator* drive = nullptr;
@@ -64,9 +61,6 @@ Table joints(const mechanics::Machine& m) {
         from += (from.empty() ? "" : ", ") + show(r.min, unit);
         to += (to.empty() ? "" : ", ") + show(r.max, unit);
       }
-      if (!j.from.isZero())
-        to += typeset(
-            fmt::format(" from ({}, {}, {})", format_number(j.from.x(), 4), format_number(j.from.y(), 4), format_number(j.from.z(), 4)));
     }
     table.rows.push_back({j.name, mechanics::word_and_letter(j.kind) + (drive != nullptr ? ", drives " + drive->name : ""), body(j.a),
                           body(j.b), std::to_string(freedoms_of(j.kind)), from, to});
