@@ -92,7 +92,7 @@ TEST_CASE("a geometry that is solved by iteration has every property, derivative
   REQUIRE(properties.size() > 10);
   for (const mechanics::Property& p : properties) {
     INFO(p.claim << ": " << p.worst << " of " << p.tolerance << "; " << p.where);
-    CHECK(p.passed());
+    CHECK(p.worst <= p.tolerance);
   }
 }
 
