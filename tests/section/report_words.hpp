@@ -73,7 +73,7 @@ double value(const Result& r, const std::string& name) {
 inline bool proved(const document::Section& s) {
   for (const document::Proof* p : pointers<document::Proof>(s))
     for (const document::Evidence& e : p->lines)
-      if (!e.passed()) return false;
+      if (e.verdict() != document::Verdict::passed) return false;
   return true;
 }
 
@@ -83,7 +83,7 @@ inline void check_proofs(const document::Section& s, int lines = -1) {
   for (const document::Proof* p : pointers<document::Proof>(s))
     for (const document::Evidence& e : p->lines) {
       INFO(e.claim << ": " << e.value);
-      CHECK(e.passed());
+      CHECK(e.verdict() == document::Verdict::passed);
       ++seen;
     }
   if (lines < 0)

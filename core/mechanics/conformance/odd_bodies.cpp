@@ -56,11 +56,17 @@ void look_at_centre(const AtHome& home, int i, std::vector<Oddity>& out) {
   if (box.isEmpty()) return;
   const double size = std::max(box.diagonal().norm(), home.joints_of(i).size() < 2 ? home.drawn_size(i) : 0);
   if (!(size > 0)) return;
+  Eigen::AlignedBox3d of_joints;
+  for (const int j : home.joints_of(i)) of_joints.extend(home.seat(j, i));
   // Along an axis in which the body extends its centre lies between its ends; across a thin one it may stand off, as a tool on a plate
-  // does.
+  // does. To the side where a limb's part is drawn beyond its joints it may be longer than it is drawn, as a rod that its cylinder hides.
+  const int limb = home.body(i).limb;
   for (Eigen::Index k = 0; k < 3; ++k) {
-    const double side = box.sizes()(k), outside = std::max(box.min()(k) - c(k), c(k) - box.max()(k));
-    const double allowed = (side > 0.2 * size ? 0.1 : 0.5) * size;
+    const bool below = c(k) < box.min()(k);
+    const double side = box.sizes()(k), outside = below ? box.min()(k) - c(k) : c(k) - box.max()(k);
+    const double drawn = of_joints.isEmpty() ? 0 : below ? of_joints.min()(k) - box.min()(k) : box.max()(k) - of_joints.max()(k);
+    double allowed = (side > 0.2 * size ? 0.1 : 0.5) * size;
+    if (limb > 0 && drawn > 0.1 * size) allowed = std::max(allowed, home.reach(limb));
     if (outside <= allowed) continue;
     out.push_back({"centre",
                    outside / size,

@@ -61,9 +61,6 @@ Table joints(const mechanics::Machine& m) {
         from += (from.empty() ? "" : ", ") + show(r.min, unit);
         to += (to.empty() ? "" : ", ") + show(r.max, unit);
       }
-      if (!j.from.isZero())
-        to += typeset(
-            fmt::format(" from ({}, {}, {})", format_number(j.from.x(), 4), format_number(j.from.y(), 4), format_number(j.from.z(), 4)));
     }
     table.rows.push_back({j.name, mechanics::word_and_letter(j.kind) + (drive != nullptr ? ", drives " + drive->name : ""), body(j.a),
                           body(j.b), std::to_string(freedoms_of(j.kind)), from, to});

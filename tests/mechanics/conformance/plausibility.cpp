@@ -160,6 +160,20 @@ TEST_CASE("a tool that hangs below its plate is nothing odd") {
   CHECK(remarks_on(g).empty());
 }
 
+TEST_CASE("a rod that is drawn shorter than it is, to be hidden in its cylinder, is nothing odd") {
+  Given g;
+  g.change = [](Topology& t) {
+    for (Shape& s : t.shapes)
+      if (s.radius == 0.01) s.a.z() = -0.05;  // its mass reaches back for 0.4 m
+  };
+  CHECK(remarks_on(g).empty());
+  const auto hidden = g.change;
+  CHECK(only([hidden](Topology& t) {
+          hidden(t);
+          of_all(t, "piston", [](Body& b) { b.inertia.centre *= -1; });
+        }).of.size() == 6);
+}
+
 TEST_CASE("exchanged inertias of a disc are remarked") {
   // A disc has half about a diameter of what it has about its axis.
   const Remark r = only([](Topology& t) {
