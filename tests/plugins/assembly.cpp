@@ -18,9 +18,16 @@ Eigen::VectorXd actuators_at(const Machine& machine, const Eigen::VectorXd& q) {
   return Eigen::Map<const Eigen::VectorXd>(pose.numbers.data() + machine.layout().actuator(0), machine.dof());
 }
 
+// Tests are not compiled for speed: the large matrices of the search on the joints are kept for those tests whose matter they are.
+AssemblyOptions searching(int joint_starts) {
+  AssemblyOptions options;
+  options.joint_starts = joint_starts;
+  return options;
+}
+
 // What holds of every mode of every mechanism; the pose that the actuators are taken from is the first.
 void check_modes(const Machine& machine, const AssemblyModes& found, double length) {
-  CHECK(found.complete_search);
+  CHECK(found.complete_search());
   for (std::size_t i = 0; i < found.modes.size(); ++i) {
     const AssemblyMode& m = found.modes[i];
     CAPTURE(i, found.words[m.word].name, m.coordinates.transpose());
@@ -34,8 +41,8 @@ void check_modes(const Machine& machine, const AssemblyModes& found, double leng
   }
 }
 
-AssemblyModes modes_at(const Machine& machine, const Eigen::VectorXd& q) {
-  AssemblyModes found = find_assembly_modes(machine, actuators_at(machine, q), q);
+AssemblyModes modes_at(const Machine& machine, const Eigen::VectorXd& q, int joint_starts = 0) {
+  AssemblyModes found = find_assembly_modes(machine, actuators_at(machine, q), q, searching(joint_starts));
   check_modes(machine, found, characteristic_length(machine));
   REQUIRE_FALSE(found.modes.empty());
   CHECK(found.modes.front().distance < 1e-7);
@@ -85,7 +92,7 @@ TEST_CASE("the modes of the 5PUS-UPU are those of the reference and the ones wit
   const test::json& f = reference("5pus-upu.json")["forward_assemblies"];
   const pm_mechanism& table = test::plugin("5pus-upu");
   const Machine machine(table, default_values(describe(table)));
-  const AssemblyModes found = find_assembly_modes(machine, test::vector(f["q"]), test::vector(f["all"][1]));
+  const AssemblyModes found = find_assembly_modes(machine, test::vector(f["q"]), test::vector(f["all"][1]), searching(0));
   check_modes(machine, found, characteristic_length(machine));
   for (const auto& q : f["all"]) {
     CAPTURE(q.dump());
@@ -102,7 +109,7 @@ TEST_CASE("the modes of the 5PUS-UPU are those of the reference and the ones wit
   CHECK(found.modes.size() == 16);
   CHECK(above == 10);
 
-  AssemblyOptions own;
+  AssemblyOptions own = searching(0);
   own.working_modes = false;
   CHECK(find_assembly_modes(machine, test::vector(f["q"]), test::vector(f["all"][1]), own).modes.size() == 10);
 }
@@ -164,4 +171,51 @@ TEST_CASE("a delta robot has its hub at either of the two points where three sph
   REQUIRE(found.modes.size() == 2);
   for (const AssemblyMode& m : found.modes) CHECK(m.coordinates.head(2).norm() < 1e-9);
   CHECK(std::abs(found.modes[0].coordinates(2) - found.modes[1].coordinates(2)) > 0.1);
+}
+
+TEST_CASE("a delta robot all but stretched has both points of its spheres as well, the other one close to where its limbs are folded") {
+  const pm_mechanism& table = test::plugin("delta");
+  const Machine machine(table, default_values(describe(table)));
+  const double base = 0.2, platform = 0.08, arm = 0.524, rod = 1.244;  // its default sizes [m]
+  const double stretched = -std::sqrt((arm + rod) * (arm + rod) - (base - platform) * (base - platform));
+  for (const double inside : {1e-6, 1e-3}) {
+    CAPTURE(inside);
+    const Eigen::Vector3d q(0, 0, stretched + inside);
+    const Eigen::VectorXd actuators = actuators_at(machine, q);
+    const AssemblyModes found = find_assembly_modes(machine, actuators, q, searching(10));
+    // All arms alike: the elbows are on a circle about Z, and the spheres about them, moved inwards by the platform's radius, meet on Z.
+    const double theta = actuators(0), out = base + arm * std::cos(theta) - platform, level = -arm * std::sin(theta);
+    REQUIRE(found.modes.size() == 2);
+    CHECK(found.modes[0].coordinates(2) == Approx(level - std::sqrt(rod * rod - out * out)).epsilon(1e-9));
+    CHECK(found.modes[1].coordinates(2) == Approx(level + std::sqrt(rod * rod - out * out)).epsilon(1e-9));
+    for (const AssemblyMode& m : found.modes) CHECK(m.coordinates.head(2).norm() < 1e-6);
+  }
+}
+
+TEST_CASE("the hub of a delta robot may also stand turned, each rod still from ball to ball") {
+  const pm_mechanism& table = test::plugin("delta");
+  const Machine machine(table, default_values(describe(table)));
+  const AssemblyModes found = modes_at(machine, machine.home(), 20);
+  REQUIRE(found.further.has_value());
+  CHECK(found.further->missed == 0);
+  CHECK(found.further->seen > 0);
+  CHECK_FALSE(found.further->poses.empty());
+  const Pose& home = machine.home_pose();
+  const int hub = machine.topology().platform;
+  for (const FurtherPose& f : found.further->poses) {
+    CHECK((f.rotation - Eigen::Matrix3d::Identity()).norm() > 0.1);  // else the coordinates would say it
+    // Elbows stay where the motors hold them. A rod's upper ball is at its elbow, the lower one where the hub carries it.
+    for (int i = 0; i < static_cast<int>(machine.topology().joints.size()); ++i) {
+      const Joint& lower = machine.topology().joints[static_cast<std::size_t>(i)];
+      if (lower.b != hub && lower.a != hub) continue;
+      const int rod = lower.a == hub ? lower.b : lower.a;
+      for (int k = 0; k < static_cast<int>(machine.topology().joints.size()); ++k) {
+        const Joint& upper = machine.topology().joints[static_cast<std::size_t>(k)];
+        if (k == i || (upper.a != rod && upper.b != rod)) continue;
+        const Eigen::Vector3d on_hub = machine.centre(home, i) - machine.origin(home, hub);  // home is not turned
+        const double length = (machine.centre(home, i) - machine.centre(home, k)).norm();
+        CHECK((f.origin + f.rotation * on_hub - machine.centre(home, k)).norm() == Approx(length).epsilon(1e-9));
+      }
+    }
+  }
 }

@@ -1,6 +1,7 @@
 #include <core/mechanics/assembly/assembly.hpp>
 
 #include <core/linear/square.hpp>
+#include <core/mechanics/assembly/further.hpp>
 #include <core/mechanics/assembly/search.hpp>
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/generic_model.hpp>
@@ -143,6 +144,30 @@ void judge(AssemblyModes& found, const AssemblyTarget& target, const Eigen::Vect
   std::ranges::stable_sort(found.continua, {}, &ModeContinuum::distance);
 }
 
+// Combinations of the words of all working-mode choices.
+std::size_t all_words(const Machine& machine) {
+  std::size_t n = 1;
+  for (const ParameterInfo& p : machine.info().parameters)
+    if (p.working_mode) n *= p.choices.size();
+  return n;
+}
+
+// What the joints alone allow. Modes among it that the search has not found are starts of it, until there are none.
+void add_from_joints(AssemblySearch& search, std::span<const std::unique_ptr<Machine>> machines, const Eigen::VectorXd& actuators,
+                     const Eigen::VectorXd& reference, int starts, AssemblyModes& found) {
+  constexpr int most_rounds = 4;
+  int missed = 0;
+  for (int round = 0; round < most_rounds; ++round) {
+    const std::size_t before = found.modes.size();
+    JointSearch joints = search_joints(machines, actuators, reference, found.modes, starts);
+    for (const auto& [word, q] : joints.expressed) search.go_on(word, q);
+    missed += static_cast<int>(found.modes.size() - before);
+    found.further = std::move(joints.further);
+    found.further->missed = missed;
+    if (found.modes.size() == before) return;
+  }
+}
+
 }  // namespace
 
 double distance(const Machine& machine, const Pose& a, const Pose& b, double length) {
@@ -159,6 +184,9 @@ AssemblyModes find_assembly_modes(const Machine& machine, const Eigen::VectorXd&
   for (WorkingMode& w : found.words) machines.push_back(std::move(w.machine));
   AssemblySearch search(machines, actuators, options, found);
   search.run(reference);
+  if (machine.dof() < 6 && options.joint_starts > 0 && (options.working_modes || found.words.size() == all_words(machine)))
+    add_from_joints(search, machines, actuators, reference, options.joint_starts, found);
+  search.finish();
   judge(found, search.target(), reference);
   for (std::size_t w = 0; w < machines.size(); ++w) found.words[w].machine = std::move(machines[w]);
   return found;

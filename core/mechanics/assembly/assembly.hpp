@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,23 @@ struct ModeContinuum {
   int reached_by_starts = 0;
 };
 
+// A pose that closes all joints with the actuator values, of which `place` has the platform nowhere: a platform with fewer coordinates than
+// six may stand otherwise than they say.
+struct FurtherPose {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // of the platform [m]
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  double distance = 0;   // from the reference pose [m]
+  double error = 0;      // largest of the equations of joints and actuators, lengths by the mechanism's size
+  bool isolated = true;  // else the platform moves with its actuators held
+};
+
+struct FurtherModes {              // what a search on the joints alone has brought
+  std::vector<FurtherPose> poses;  // one for each place of the platform, nearest to the reference first
+  int starts = 0, arrivals = 0;    // of Newton's method, and how many closed all joints
+  int seen = 0;                    // how many of the modes they arrived at
+  int missed = 0;                  // modes among them that `place` can express, and that nothing else had found
+};
+
 struct WorkingMode {  // one word for each choice of working mode
   std::unique_ptr<Machine> machine;
   std::string name;  // "slider 2 below, slider 3 below": what differs from the machine asked about; empty: nothing
@@ -58,6 +76,7 @@ struct AssemblyModes {
   int curves_far = 0;            // curves left where they went off, many times the size of the mechanism
   int edges = 0;                 // ends of reach that curves were led across, into another working mode
   std::int64_t placements = 0;
+  std::optional<FurtherModes> further;                                                 // nothing: the joints alone were not searched
   enum class Ended { quiet, most_starts, most_modes, no_start } ended = Ended::quiet;  // no_start: no more poses that can be assembled
   bool complete_search() const { return ended != Ended::most_modes; }
 };
@@ -67,6 +86,7 @@ struct AssemblyOptions {
   int quiet_arrivals = 500;   // arrivals at what was known before that end the search, at least; twelve for each mode, if that is more
   int most_starts = 4000;
   std::size_t most_modes = 256;  // and continua
+  int joint_starts = 100;  // of the search on the joints alone; none where six coordinates say all of a platform, or words are left out
   std::uint64_t seed = 1;
 };
 
@@ -74,9 +94,10 @@ struct AssemblyOptions {
 // each mode found, each actuator in turn is released and the curve of poses that the others still allow is followed by prediction and
 // correction: wherever the released actuator passes its value, there is a mode. Where a curve leaves the poses that can be assembled it
 // goes on in another working mode. Modes with basins too small for any start to hit are found in this way; the starts in turn find curves
-// that no known mode lies on. Where the actuators have lost rank at a mode, it is told from a continuum of modes: continuum.hpp. The same
-// numbers on every run. `actuators` [m], [rad]; `reference`: a pose from which the distances count, by
-// its coordinates [m], [rad].
+// that no known mode lies on. A third way, further.hpp, knows bodies and joints alone: it finds what `place` cannot express, and what it
+// can express but Newton's method does not come to, as close to the ends of reach. Where the actuators have lost rank at a mode, it is told
+// from a continuum of modes: continuum.hpp. The same numbers on every run. `actuators` [m], [rad]; `reference`: a pose from which the
+// distances count, by its coordinates [m], [rad].
 AssemblyModes find_assembly_modes(const Machine& machine, const Eigen::VectorXd& actuators, const Eigen::VectorXd& reference,
                                   const AssemblyOptions& options = {});
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <core/mechanics/assembly/assembly.hpp>
-#include <core/mechanics/assembly/walk.hpp>
+#include <core/mechanics/assembly/held_actuators.hpp>
 
 #include <optional>
 #include <vector>
@@ -15,7 +15,7 @@ enum class Root { simple, chart, twofold, continuum };
 
 class ContinuumSearch {
  public:
-  explicit ContinuumSearch(const AssemblyTarget& target) : target_(target) {}
+  explicit ContinuumSearch(const AssemblyTarget& target) : target_(target), held_(target) {}
 
   // What kind of mode stands at a site where the actuators have their values.
   Root judge(const Site& mode) const;
@@ -34,31 +34,14 @@ class ContinuumSearch {
   int least_starts() const;  // that reached one of the curves
 
  private:
-  struct Spot {  // a pose, with what moves when the coordinates do
-    bool reached = false;
-    std::size_t word = 0;
-    SmallVector u, error;        // of the actuators, in numbers
-    SmallMatrix slope;           // of the actuators by u
-    Eigen::VectorXd bodies;      // origins by the mechanism's size, rotations' elements
-    Eigen::MatrixXd body_slope;  // by u
-    Eigen::MatrixXd ways;        // of a pose that is kept: tangents of the family
-  };
-  enum class Step { done, edge, lost };
+  using Spot = HeldActuators::Spot;
 
-  Spot spot(std::size_t word, const SmallVector& u) const;
-  double rounding(const Spot& s) const;
-  Eigen::MatrixXd null_directions(const Spot& s, double bound) const;
-  Eigen::MatrixXd moving(const Spot& s, double bound) const;
-  Eigen::MatrixXd tangents(const Spot& s, double bound) const;
-  Step settle(Spot& s, double reach) const;
-  Step advance(Spot& s, SmallVector& direction, double h, double bound) const;
-  bool goes_on(const Spot& s, const SmallVector& direction, double bound) const;
-  bool walk_to(Spot s, const Eigen::VectorXd& bodies, double bound, double tolerance) const;
   bool follow(const Spot& start, SmallVector direction, double bound, std::vector<Spot>& passed, bool& whole) const;
   bool join(std::size_t into, std::size_t from);
   void keep(std::size_t continuum, Spot s, bool in_front);
 
   const AssemblyTarget& target_;
+  HeldActuators held_;
   std::vector<ModeContinuum> found_;
   std::vector<std::vector<Spot>> spots_;  // of each, in the order of its poses
   std::vector<double> bounds_;            // what singular values of the slopes on it may be by rounding

@@ -150,7 +150,9 @@ void Tracks::search(const LookedAt& looked) {
   out_.searched.push_back(looked.sample);
   if (done) return;
   const Machine& own = *words_.front().machine;
-  enter(find_assembly_modes(own, follower_.actuators(pose), own.home(), looked.options), looked.sample);
+  const AssemblyModes found = find_assembly_modes(own, follower_.actuators(pose), own.home(), looked.options);
+  if (!found.continua.empty()) out_.continua.push_back(looked.sample);
+  enter(found, looked.sample);
   resolve();
 }
 
@@ -212,6 +214,7 @@ ModeTracks follow_assembly_modes(const AssemblyModes& found, const std::vector<d
   tracks.name(found, start);
   tracks.resolve();
   out.searched.push_back(start);
+  if (!found.continua.empty()) out.continua.push_back(start);
   for (const LookedAt& l : looked) tracks.search(l);
   tracks.exchange();
   tracks.explain_the_lost();

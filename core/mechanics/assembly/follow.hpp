@@ -55,6 +55,7 @@ struct ModeTracks {
   int least_sample = -1;
   std::size_t least_track = 0;
   std::vector<int> searched;  // samples at which the whole space was searched, the first that of `found`, and those with the same actuators
+  std::vector<int> continua;  // of these, samples at which modes are not isolated: continua are not followed
   int further = 0;            // modes that no search had found where it looked, but that following or another search led to
 };
 

@@ -8,7 +8,7 @@
 //     prismatic    as cylindrical, and e1 . f2, unless one of the bodies may spin freely about the axis
 //     linear actuator   n . d + value at home - value
 //     rotary actuator   the angle about n from e1 to what was e1 at home + value at home - value, the smaller turn
-// lengths by the characteristic length. They say no more than these products: bodies may have turned over, which closure.hpp tells.
+// lengths by one that is given. They say no more than these products: bodies may have turned over, which closure.hpp tells.
 //
 // When A moves by a small displacement (dp_A; t_A), and B likewise, d changes by dp_B + t_B x (C_B - p_B) - dp_A - t_A x (C_A - p_A), a
 // direction e that a body carries by t x e, and so

@@ -138,7 +138,8 @@ bool AssemblySearch::enough() {
   return true;
 }
 
-// Starts over the whole space: angles all around, positions in boxes about home of all sizes up to `widest`. Poses that cannot be assembled
+// Starts over the whole space: angles all around, positions in boxes of all sizes up to `widest`, about home, about modes, and about where
+// all positions are zero, which is as far from home as from what mirrors it. Poses that cannot be assembled
 // are drawn anew a few times, then pulled towards home. Of the words of the working mode every other start takes the one whose actuators
 // are nearest to their targets.
 void AssemblySearch::more_candidates() {
@@ -155,8 +156,10 @@ void AssemblySearch::more_candidates() {
         continue;
       }
       const double box = widest * std::abs(unit(random_));
-      const bool at_home = out_.modes.empty() || k % 4 < 2;
-      poses[k] = at_home ? home_ : target_.numbers(out_.modes[random_() % out_.modes.size()].coordinates);
+      const bool at_mode = k % 4 == 2 && !out_.modes.empty();
+      poses[k] = at_mode ? target_.numbers(out_.modes[random_() % out_.modes.size()].coordinates) : home_;
+      if (k % 4 == 3)
+        for (Eigen::Index i = 0; i < home_.size(); ++i) poses[k](i) = target_.angle(i) ? home_(i) : 0;
       for (Eigen::Index i = 0; i < home_.size(); ++i) poses[k](i) += unit(random_) * (target_.angle(i) ? pi : box);
     }
     const std::vector<double> miss = placer_.misses(random_() % machines_.size(), poses);
@@ -268,6 +271,15 @@ void AssemblySearch::finish(Task& task) {
 
 void AssemblySearch::run(const Eigen::VectorXd& reference) {
   candidates_.push_back({0, target_.numbers(reference)});
+  work();
+}
+
+void AssemblySearch::go_on(std::size_t word, const Eigen::VectorXd& coordinates) {
+  begin_start(word, target_.numbers(coordinates));
+  work();
+}
+
+void AssemblySearch::work() {
   std::vector<Site*> sites;
   while (true) {
     while (tasks_.size() < walkers && begin_next()) {
@@ -288,7 +300,6 @@ void AssemblySearch::run(const Eigen::VectorXd& reference) {
       }
     }
   }
-  out_.continua = continua_.take();
 }
 
 }  // namespace pmreport::mechanics

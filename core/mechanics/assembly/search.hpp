@@ -23,6 +23,9 @@ class AssemblySearch {
                  AssemblyModes& out);
 
   void run(const Eigen::VectorXd& reference);
+  // Goes on from a pose in a word of the working mode, and from what comes of it.
+  void go_on(std::size_t word, const Eigen::VectorXd& coordinates);
+  void finish() { out_.continua = continua_.take(); }
   const AssemblyTarget& target() const { return target_; }
 
   // Whether two poses have platform and bodies in the same places. Coordinates are not compared: an orientation has several names in
@@ -47,6 +50,7 @@ class AssemblySearch {
     int number = 0;  // of a start
   };
 
+  void work();
   void releases();
   bool begin_next();
   void begin_start(std::size_t word, const SmallVector& u);

@@ -18,6 +18,7 @@ inline mechanics::AssemblyOptions shortly() {
   mechanics::AssemblyOptions o;
   o.quiet_arrivals = 60;
   o.most_starts = 150;
+  o.joint_starts = 0;
   return o;
 }
 

@@ -1,7 +1,6 @@
 // Poses that a plugin's coordinates cannot express, on mechanisms whose author left some out.
-#include <core/mechanics/assembly/further.hpp>
-
 #include <core/mechanics/assembly/loops.hpp>
+
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <pmreport/mechanism.hpp>
@@ -13,7 +12,7 @@
 using namespace pmreport;
 using namespace pmreport::mechanics;
 using Eigen::Vector3d;
-using test::actuators_at, test::modes_at;
+using test::actuators_at;
 
 namespace {
 
@@ -110,7 +109,11 @@ class ThreeUpu : public Mechanism<3> {
 };
 
 FurtherModes further_at(const Machine& machine, const Eigen::VectorXd& q, int starts) {
-  return find_further_modes(machine, actuators_at(machine, q), q, modes_at(machine, q), starts);
+  AssemblyOptions options = test::shortly();
+  options.joint_starts = starts;
+  const AssemblyModes found = find_assembly_modes(machine, actuators_at(machine, q), q, options);
+  REQUIRE(found.further.has_value());
+  return *found.further;
 }
 
 }  // namespace
