@@ -25,6 +25,7 @@ ModesAlong modes_along(const Analysis& a, const mechanics::AssemblyModes& found,
   mechanics::AssemblyOptions quick = options;
   quick.quiet_arrivals = 60;
   quick.most_starts = 300;
+  quick.joint_starts = 0;
   for (const int quarter : {2, 1, 3}) looked.push_back({first + (last - first) * quarter / 4, quick});
   std::vector<mechanics::LookedAt> unlike;
   for (const mechanics::LookedAt& l : looked)

@@ -91,6 +91,11 @@ std::vector<std::string> sentences(const Analysis& a, const ModesAlong& along, s
     s += fmt::format("{} found by no search there, but by following others or from those of another time. ",
                      plural(tracks.further, "mode was", "modes were"));
   out.push_back(s + "Modes that come into being and vanish again between these times, without meeting another, would not be seen.");
+  if (!tracks.continua.empty()) {
+    std::vector<std::string> where;
+    for (const int k : tracks.continua) where.push_back(show_time(a, k));
+    out.push_back(fmt::format("At t = {} there are continua besides; they are neither counted here nor followed.", listed(where)));
+  }
   return out;
 }
 

@@ -59,7 +59,7 @@ Result assembly_section(const Analysis& a, const AssemblyOptions& r, const Stage
     blocks.push_back(
         Paragraph{Paragraph::Tone::warning,
                   "The pose of the motion lies on a continuum: its actuators do not hold the platform there, which moves along "
-                  "it while they stand still. Continua are not followed along the motion."});
+                  "it while they stand still."});
   tell(fmt::format(
       "The distance between two poses is √(|Δp|² + (L·θ)²), with Δp the way of the reference point, θ the angle between the two "
       "orientations and L = {} the characteristic length.",
@@ -106,16 +106,14 @@ Result assembly_section(const Analysis& a, const AssemblyOptions& r, const Stage
   tell(searched(found));
   if (m.dof() == 6) {
     result.values.push_back({"assembly", "further", "", 0});  // six coordinates express every pose of a platform
-  } else if (r.working_modes) {
-    const mechanics::FurtherModes further = find_further_modes(m, given ? r.actuators : here, reference, found);
-    progress.stop_if_asked();
-    tell(beyond_the_coordinates(a, further));
-    result.values.push_back({"assembly", "further", "", double(further.poses.size())});
-    if (!further.poses.empty()) {
+  } else if (found.further) {
+    tell(beyond_the_coordinates(a, *found.further));
+    result.values.push_back({"assembly", "further", "", double(found.further->poses.size())});
+    if (!found.further->poses.empty()) {
       double open = 0;
-      for (const mechanics::FurtherPose& p : further.poses) open = std::max(open, p.error);
+      for (const mechanics::FurtherPose& p : found.further->poses) open = std::max(open, p.error);
       proof.lines.push_back({"All joints close in the poses beyond the coordinates",
-                             "by substitution into joints and actuators, lengths by the characteristic length", open, 1e-10, ""});
+                             "by substitution into joints and actuators, lengths by the mechanism's size", open, 1e-10, ""});
     }
   }
   blocks.push_back(proof);

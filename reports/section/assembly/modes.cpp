@@ -236,9 +236,9 @@ std::string beyond_the_coordinates(const Analysis& a, const mechanics::FurtherMo
   const auto isolated = static_cast<int>(
       std::count_if(further.poses.begin(), further.poses.end(), [](const mechanics::FurtherPose& p) { return p.isolated; }));
   if (all == 0) {
-    s += further.arrivals > 0 ? ", always in a pose that they express." : ".";
+    s += further.arrivals > 0 ? ", always in a pose that those express." : ".";
   } else {
-    s += fmt::format(", and found {} of the platform that they cannot express, the nearest {} away",
+    s += fmt::format(", and found {} of the platform that those cannot express, the nearest {} away",
                      plural(isolated > 0 ? isolated : all, isolated > 0 ? "isolated pose" : "pose"),
                      show(further.poses.front().distance, "m"));
     if (isolated < all) s += isolated > 0 ? ", and besides some on continua" : ", all on continua";

@@ -1,7 +1,7 @@
 // What is said and shown of the modes that a search has found.
 #pragma once
 
-#include <core/mechanics/assembly/further.hpp>
+#include <core/mechanics/assembly/assembly.hpp>
 #include <reports/section/common/stage.hpp>
 
 #include <optional>

@@ -126,7 +126,16 @@ TEST_CASE("along the motion the other mode comes nearest where the lever is lowe
     const double theta = (40 + 10 * std::sin(std::numbers::pi * d.columns[0][k])) * std::numbers::pi / 180;
     CHECK(d.columns[2][k] == Approx(size * 2 * theta));
   }
-  gantry::check_proofs(r.section, 4);
+  gantry::check_proofs(r.section, 5);  // the motion is closed: as many modes at both ends
+  CHECK_THAT(gantry::text_of(r.section), Contains("The motion has 2 assembly modes at all of its samples"));
+}
+
+TEST_CASE("whether the joints allow poses beyond the coordinates is told, with how hard it was tried") {
+  Run run;
+  const section::Result r = run.assembly({});
+  CHECK_THAT(gantry::text_of(r.section), Contains("the poses that the 1 coordinate and the working modes of the mechanism express") &&
+                                             Contains("always in a pose that those express"));
+  CHECK(gantry::value(r, "further") == 0);
 }
 
 TEST_CASE("values given for the actuators are used instead of the motion's") {
