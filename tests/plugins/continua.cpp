@@ -51,7 +51,7 @@ AssemblyModes continua_at(const Platform& p, const Eigen::VectorXd& q) {
   const Machine machine = p.machine();
   const Eigen::VectorXd lengths = p.lengths(q);
   AssemblyOptions shortly;  // every arrival is held against the continua known: that is dear
-  shortly.quiet_arrivals = 40;
+  shortly.quiet_arrivals = 25;
   AssemblyModes found = find_assembly_modes(machine, lengths, q, shortly);
   CHECK(found.modes.empty());
   REQUIRE_FALSE(found.continua.empty());

@@ -13,6 +13,12 @@ constexpr double pi = std::numbers::pi;
 
 Pose pose_of(const Machine& machine, const Eigen::VectorXd& q) { return machine.pose({q.data(), static_cast<std::size_t>(q.size())}); }
 
+AssemblyOptions shortly() {  // tests are not compiled for speed
+  AssemblyOptions options;
+  options.joint_starts = 0;
+  return options;
+}
+
 struct Motion {
   const Machine& machine;
   std::function<Eigen::VectorXd(double)> q;
@@ -21,8 +27,8 @@ struct Motion {
   AssemblyModes modes(double t) const {
     const Pose pose = pose_of(machine, q(t));
     REQUIRE(pose.status == PM_OK);
-    return find_assembly_modes(machine,
-                               Eigen::Map<const Eigen::VectorXd>(pose.numbers.data() + machine.layout().actuator(0), machine.dof()), q(t));
+    return find_assembly_modes(
+        machine, Eigen::Map<const Eigen::VectorXd>(pose.numbers.data() + machine.layout().actuator(0), machine.dof()), q(t), shortly());
   }
   ModeTracks follow(const std::vector<LookedAt>& looked) const {
     return follow_assembly_modes(
@@ -60,7 +66,7 @@ TEST_CASE("a hexapod's closed motion has as many modes at both ends, and each bi
                         return q;
                       },
                       times(2, 41)};
-  const ModeTracks tracks = motion.follow({{40, {}}, {20, {}}});
+  const ModeTracks tracks = motion.follow({{40, shortly()}, {20, shortly()}});
   CHECK(tracks.count.front() == static_cast<int>(motion.modes(0).modes.size()));
   CHECK(tracks.count.back() == tracks.count.front());
   CHECK_FALSE(tracks.events.empty());
@@ -94,7 +100,7 @@ TEST_CASE("where three modes of the 5PUS-UPU meet at once, one of them goes on")
                         return q;
                       },
                       times(10, 41)};
-  const ModeTracks tracks = motion.follow({{40, {}}, {24, {}}});
+  const ModeTracks tracks = motion.follow({{40, shortly()}, {24, shortly()}});
   for (const std::size_t k : {std::size_t{0}, std::size_t{12}, std::size_t{24}, std::size_t{40}}) {
     CAPTURE(motion.times[k]);
     CHECK(tracks.count[k] == static_cast<int>(motion.modes(motion.times[k]).modes.size()));
@@ -119,7 +125,7 @@ TEST_CASE("modes that a search misses at one time of a motion are known from ano
   REQUIRE(all > 2);
   found.modes.resize(1);  // as if the first search had found the motion's own alone
   const ModeTracks tracks = follow_assembly_modes(
-      found, motion.times, [&](double t) { return pose_of(*machine, motion.q(t)); }, 0, {{3, {}}}, characteristic_length(*machine));
+      found, motion.times, [&](double t) { return pose_of(*machine, motion.q(t)); }, 0, {{3, shortly()}}, characteristic_length(*machine));
   CHECK(tracks.count.front() == all);
   CHECK(tracks.count.back() == all);
 }

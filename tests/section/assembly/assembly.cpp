@@ -134,7 +134,7 @@ TEST_CASE("whether the joints allow poses beyond the coordinates is told, with h
   Run run;
   const section::Result r = run.assembly({});
   CHECK_THAT(gantry::text_of(r.section), Contains("the poses that the 1 coordinate and the working modes of the mechanism express") &&
-                                             Contains("always in a pose that they express"));
+                                             Contains("always in a pose that those express"));
   CHECK(gantry::value(r, "further") == 0);
 }
 
