@@ -40,13 +40,36 @@ TEST_CASE("one broken promise fails the report") {
   CHECK(json::parse(to_json(r))["verdict"]["passed"] == false);
 }
 
+TEST_CASE("a claim that nothing was held against neither passes nor fails, and every form of the report says why") {
+  Report r = sample::report();
+  Evidence& line = last_evidence(r);
+  line = Evidence::not_examined(line.claim, line.how, "every sample is singular");
+  CHECK(line.verdict() == Verdict::not_examined);
+  CHECK_FALSE(line.failed());
+  CHECK(r.passed());
+  const json j = json::parse(to_json(r));
+  CHECK(j["verdict"]["evidence"] == json::parse(R"({"total": 4, "failed": 0, "not_examined": 1})"));
+  const json told = j["sections"].back()["evidence"].back();
+  CHECK(told["passed"] == false);
+  CHECK(told["status"] == "not examined");
+  CHECK(told["reason"] == "every sample is singular");
+  CHECK(told["value"].is_null());
+  const std::string junit = to_junit(r);
+  CHECK(junit.find("skipped=\"1\"") != std::string::npos);
+  CHECK(junit.find("<skipped message=\"not examined: every sample is singular") != std::string::npos);
+  const std::string html = to_html(r);
+  CHECK(html.find("not examined: every sample is singular") != std::string::npos);
+  CHECK(html.find("3 of 4 lines of evidence passed, 1 was not examined") != std::string::npos);
+}
+
 TEST_CASE("results.json tells schema, verdict, checks, evidence and values") {
   const json j = json::parse(to_json(sample::report()));
   CHECK(j["schema"] == "pmreport-results");
   CHECK(j["schema_version"] == 1);
   CHECK(j["mechanism"]["name"] == "4sps-spr");
   CHECK(j["provenance"]["version"] == "1.0.0");
-  CHECK(j["verdict"] == json::parse(R"({"passed": true, "checks": {"total": 1, "failed": 0}, "evidence": {"total": 4, "failed": 0}})"));
+  CHECK(j["verdict"] == json::parse(R"({"passed": true, "checks": {"total": 1, "failed": 0, "not_examined": 0},
+      "evidence": {"total": 4, "failed": 0, "not_examined": 0}})"));
   CHECK(j["checks"][0]["value"] == 312.4);
   CHECK(j["checks"][0]["line"] == 13);
   CHECK(j["sections"][0]["evidence"].size() == 3);

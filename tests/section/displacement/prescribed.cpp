@@ -38,7 +38,7 @@ TEST_CASE("driven actuators are proved by inverse displacement: values, rates an
   REQUIRE(evidence.size() == 3);
   for (const document::Evidence& e : evidence) {
     CAPTURE(e.claim);
-    CHECK(e.passed());
+    CHECK(e.verdict() == document::Verdict::passed);
   }
   CHECK(r.analysis.column(ColumnId::named("s_rate"))[7] == Approx(0.03 * std::cos(0.35)));
   CHECK(section::prescribed_evidence(Run("theta = \"1 rad\"\n").analysis).empty());
@@ -54,9 +54,9 @@ TEST_CASE("the proof of driven actuators can fail") {
     return there;
   };
   const auto evidence = section::prescribed_evidence(r.analysis);
-  CHECK(evidence[0].passed());
-  CHECK_FALSE(evidence[1].passed());
-  CHECK(evidence[2].passed());
+  CHECK(evidence[0].verdict() == document::Verdict::passed);
+  CHECK(evidence[1].failed());
+  CHECK(evidence[2].verdict() == document::Verdict::passed);
 }
 
 TEST_CASE("samples beyond a singular surface have no pose, and the demand of reach fails with the time") {

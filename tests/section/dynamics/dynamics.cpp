@@ -247,10 +247,10 @@ TEST_CASE("work that is not known well enough decides nothing, and says so") {
   const section::EnergyEvidence sound = section::energy_evidence(r.analysis, work);
   CHECK(sound.notes.empty());
   REQUIRE(sound.lines.size() == 2);
-  for (const document::Evidence& e : sound.lines) CHECK(e.passed());
+  for (const document::Evidence& e : sound.lines) CHECK(e.verdict() == document::Verdict::passed);
   auto off = work;
   off->stored += 1e-6 * work->flow;  // what a millionth of the mass does
-  CHECK_FALSE(section::energy_evidence(r.analysis, off).lines[0].passed());
+  CHECK(section::energy_evidence(r.analysis, off).lines[0].failed());
   work->uncertainty = 0.01 * work->flow;
   const section::EnergyEvidence vague = section::energy_evidence(r.analysis, work);
   CHECK(vague.lines.empty());
