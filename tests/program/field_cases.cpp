@@ -47,7 +47,7 @@ TEST_CASE("field case y-up-platform: the platform's own axes do not change the f
   const Answer a = answer(here, "y-up-platform");
   CHECK(a.result.status == 0);
   double largest = 0;
-  for (int i = 1; i <= 6; ++i) largest = std::max(largest, a.largest("dynamics", "rho" + std::to_string(i) + "_force"));
+  for (int i = 1; i <= 6; ++i) largest = std::max(largest, a.largest("dynamics", "rho" + std::to_string(i) + "_dynamic_force"));
   CHECK(largest == Approx(44.81).margin(0.005));
   CHECK(std::isfinite(a.value("dynamics", "max(kinetic_energy)")));
   CHECK_THAT(a.warnings, Contains("alpha and gamma turn the platform about one axis"));
@@ -65,8 +65,7 @@ TEST_CASE("field case shaker: samples that cannot show a motion are told") {
   const Workshop here;
   const Answer a = answer(here, "shaker");
   CHECK(a.result.status == 1);
-  CHECK_THAT(a.result.out, Contains("samples"));
-  CHECK_THAT(a.warnings, Contains("x moves"));
+  CHECK_THAT(a.warnings, Contains("Between samples x goes up to 1 mm beyond them") && Contains("2001 do"));
 }
 
 TEST_CASE("field case shaker: samples enough show its millimetre and its fifteen kilonewtons") {
@@ -75,7 +74,7 @@ TEST_CASE("field case shaker: samples enough show its millimetre and its fifteen
   CHECK(a.result.status == 1);  // its own checks ask for less
   CHECK(a.largest("displacement", "x") == Approx(1e-3).epsilon(1e-6));
   double largest = 0;
-  for (int i = 1; i <= 6; ++i) largest = std::max(largest, a.largest("dynamics", "rho" + std::to_string(i) + "_force"));
+  for (int i = 1; i <= 6; ++i) largest = std::max(largest, a.largest("dynamics", "rho" + std::to_string(i) + "_dynamic_force"));
   CHECK(largest == Approx(15.1e3).epsilon(0.01));
 }
 

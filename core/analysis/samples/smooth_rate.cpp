@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace pmreport::analysis {
 
 std::optional<SmoothRate> smooth_rate(const std::function<double(double)>& f, double t, double begin, double end) {
   constexpr double widest = 1.0 / 16;  // step, of the whole interval
-  constexpr int halvings = 9;
+  // Of neighbouring steps no two are multiples of one period, as halves are: what swings faster than the step would look constant to both.
+  constexpr double shrink = 1 / std::numbers::phi;
+  constexpr int steps = 13;
   constexpr double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};  // of f(t + n h) - f(t - n h), over h
   double step = std::min({widest * (end - begin), (t - begin) / 4, (end - t) / 4});
   if (!(step > 0)) return std::nullopt;
@@ -18,8 +21,8 @@ std::optional<SmoothRate> smooth_rate(const std::function<double(double)>& f, do
   };
   std::optional<SmoothRate> best;
   double before = rate();
-  for (int n = 0; n < halvings; ++n) {
-    step /= 2;
+  for (int n = 0; n < steps; ++n) {
+    step *= shrink;
     const double now = rate(), change = std::abs(now - before);
     if (std::isfinite(change) && (!best || change < best->change)) best = {now, change};
     before = now;

@@ -87,17 +87,27 @@ class Stencil {
   std::vector<std::array<Extended, 9>> samples_;
 };
 
-// Largest change of the rates, and of the accelerations, of a placement when the coordinates move by as many roundings of their size as a
-// chain of operations from a coordinate to a number of the placement makes.
+// The largest number among the places of joints, all within a few of it from one another [m]: what positions are rounded by.
+double extent(const Machine& machine, const State& state) {
+  double out = 0;
+  for (int j = 0; j < static_cast<int>(machine.topology().joints.size()); ++j)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      out = std::max(out, std::abs(state.placement_jets[3 * (machine.layout().joint(j) + axis)]));
+  return out;
+}
+
+// Largest change of the rates, and of the accelerations, of a placement when the coordinates move by as many roundings of what they are
+// added to as the few dozen operations from a coordinate to a number of the placement make.
 std::pair<double, double> rounding_of_jets(const Machine& machine, const State& state, double length) {
   const std::size_t dof = state.coordinates.size(), size = machine.layout().size();
-  constexpr double roundings = 16;
+  constexpr double roundings = 64;
+  const double reach = std::max(length, extent(machine, state));
   std::vector<double> moved = state.coordinate_jets, jets(3 * size);
   std::pair<double, double> out{0, 0};
   for (const double sign : {1.0, -1.0}) {
     for (std::size_t i = 0; i < dof; ++i)
       moved[3 * i] = state.coordinate_jets[3 * i] +
-                     sign * roundings * std::numeric_limits<double>::epsilon() * size_of(machine.topology().coordinates[i].sense(), length);
+                     sign * roundings * std::numeric_limits<double>::epsilon() * size_of(machine.topology().coordinates[i].sense(), reach);
     if (machine.place(PM_JET, 1, moved.data(), jets.data()) != PM_OK) return {INFINITY, INFINITY};
     for (std::size_t i = 1; i < size; ++i) {
       out.first = std::max(out.first, std::abs(jets[3 * i + 1] - state.placement_jets[3 * i + 1]));

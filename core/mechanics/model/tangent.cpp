@@ -118,8 +118,11 @@ std::string in_words(const Machine& machine, const ChartFault& fault) {
     names.push_back(c.name);
     turn = turn && c.sense() == Sense::rotary;
   }
+  const char* nearly = fault.quality < poor_chart ? "" : "nearly ";
+  if (names.size() == 1)
+    return fmt::format("{} does not move the platform there: this coordinate is singular, the machine is not", names.front());
   return fmt::format("{} {} the platform {}{} there: these coordinates are singular, the machine is not", listed(names, "and"),
-                     turn ? "turn" : "move", fault.quality < poor_chart ? "" : "nearly ", turn ? "about one axis" : "in one way");
+                     turn ? "turn" : "move", nearly, turn ? "about one axis" : "in one way");
 }
 
 }  // namespace pmreport::mechanics

@@ -105,16 +105,13 @@ std::vector<Vector6d> limb_wrenches(const Machine& machine, const State& state, 
   int limbs = 0;
   for (const Body& b : t.bodies) limbs = std::max(limbs, b.limb);
   std::vector<Vector6d> out(static_cast<std::size_t>(limbs), Vector6d::Zero());
-  const Eigen::Vector3d p = state.bodies[static_cast<std::size_t>(t.platform)].origin;
   const auto act = [&](int joint, const Vector6d& wrench) {
     const Joint& at = t.joints[static_cast<std::size_t>(joint)];
-    const int limb = std::max(t.bodies[static_cast<std::size_t>(at.a)].limb, t.bodies[static_cast<std::size_t>(at.b)].limb);
+    if (at.a != t.platform && at.b != t.platform) return;
+    const int limb = t.bodies[static_cast<std::size_t>(at.a == t.platform ? at.b : at.a)].limb;
+    if (limb == 0) return;
     each_side(state, at, state.joints[static_cast<std::size_t>(joint)].centre, wrench, [&](int body, const Vector6d& w) {
-      if (limb == 0 || body == 0 || t.bodies[static_cast<std::size_t>(body)].limb != 0) return;
-      // A platform of several bodies is held by any of them: all moments count about its reference point.
-      Vector6d about_reference = w;
-      about_reference.tail<3>() += (state.bodies[static_cast<std::size_t>(body)].origin - p).cross(Eigen::Vector3d(w.head<3>()));
-      out[static_cast<std::size_t>(limb - 1)] += about_reference;
+      if (body == t.platform) out[static_cast<std::size_t>(limb - 1)] += w;
     });
   };
   for (std::size_t j = 0; j < reactions.joints.size(); ++j) act(static_cast<int>(j), reactions.joints[j]);

@@ -46,8 +46,8 @@ std::vector<Indeterminate> indeterminate_components(const State& state, const Jo
 double free_body_residual(const Machine& machine, const State& state, const std::vector<Vector6d>& joints,
                           const Eigen::VectorXd& actuator_forces, const Eigen::VectorXd& required, double length);
 
-// The wrench (force; moment about the platform's reference point) that the joints of each limb exert on the platform, drives included, and
-// on any other body that belongs to no limb, where the platform has several; by limb number, limb 1 first.
+// The wrench (force; moment about the platform's reference point) that the joints of each limb exert on the platform, drives included; by
+// limb number, limb 1 first.
 std::vector<Vector6d> limb_wrenches(const Machine& machine, const State& state, const JointReactions& reactions);
 
 }  // namespace pmreport::mechanics

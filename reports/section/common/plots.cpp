@@ -122,8 +122,10 @@ document::Proof proof(const Analysis& a, const std::vector<Claim>& claims) {
     std::string how = c.how;
     if (w.compared < a.samples()) how += fmt::format(" ({} of {} samples)", w.compared, a.samples());
     if (w.compared == 0) {
-      p.lines.push_back(document::Evidence::not_examined(
-          c.claim, c.how, w.undecided > 0 ? "too near the end of reach to compare any digit" : why_no_value(a, w)));
+      p.lines.push_back(document::Evidence::not_examined(c.claim, c.how,
+                                                         w.undecided > 0 ? "too near the end of reach to compare any digit"
+                                                         : a.count(Outcome::good) > 0 && !c.unless.empty() ? c.unless
+                                                                                                           : why_no_value(a, w)));
       continue;
     }
     if (!std::isfinite(w.value)) {

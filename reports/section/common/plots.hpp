@@ -32,6 +32,7 @@ struct Claim {
   std::string claim, how;
   double tolerance;
   std::string unit;
+  std::string unless = {};  // why nothing may be compared though there are samples to compare
 };
 document::Proof proof(const Analysis& a, const std::vector<Claim>& claims);
 

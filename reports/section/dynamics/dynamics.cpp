@@ -179,7 +179,8 @@ document::Proof evidence(const Analysis& a, const EnergyEvidence& energy) {
        "inertia takes; relative to the largest of them",
        1e-8, ""},
       {Measure::judge, "Limb by limb equals all at once",
-       "actuator forces and joint reactions against one factorisation over all bodies, relative to the largest", 1e-8, ""}};
+       "actuator forces and joint reactions against one factorisation over all bodies, relative to the largest", 1e-8, "",
+       "the platform does not cut this mechanism into limbs, and the factorisation over all bodies is the only way"}};
   // Compared where the differences are good to a tenth of the tolerance.
   if (a.worst(Measure::power_balance).compared > 0)
     claims.push_back({Measure::power_balance, "Power becomes energy",

@@ -239,7 +239,8 @@ Result reactions_section(const Analysis& a, const ReactionsOptions& request) {
            "relative to the largest of them",
            1e-9, ""},
           {Measure::judge, "Limb by limb equals the system over all bodies",
-           "reactions by elimination in each limb against one factorisation over all bodies, relative to the largest", 1e-8, ""}});
+           "reactions by elimination in each limb against one factorisation over all bodies, relative to the largest", 1e-8, "",
+           "the platform does not cut this mechanism into limbs, and the factorisation over all bodies is the only way"}});
   if (n.doubtful > 0) p.lines.push_back(stresses_in_balance(a, spread));
   if (limbs.any()) p.lines.push_back(platform_in_balance(limbs));
   s.blocks.push_back(std::move(p));

@@ -34,7 +34,7 @@ class Parallelogram : public Mechanism<1> {
     t.add(Joint{"B", JointKind::revolute, 2, 1, {}});
     t.add(Joint{"D", JointKind::revolute, 0, 3, {}});
     t.add(Joint{"C", JointKind::revolute, 3, 1, {}});
-    t.add(Actuator{"theta", "crank 1", "rad", 0, {-3, 3}});
+    t.add(Actuator{"drive", "crank 1", "rad", 0, {-3, 3}});
     for (const char* n : {"force_x", "force_y", "force_z"}) t.constraints.push_back({n, "", "N"});
     for (const char* n : {"couple_x", "couple_y"}) t.constraints.push_back({n, "", "N*m"});
     return t;

@@ -204,7 +204,7 @@ TEST_CASE("a home pose out of reach is the parameters' fault, one that is not fi
   const Refusal broken = refusal_of(slider, {{0.4}, {0.1}});
   home_value = 0;
   CHECK(broken.status == PM_FAILED);
-  CHECK(broken.sentence == "the home pose: the plugin returned numbers that are not finite");
+  CHECK(broken.sentence == "the home pose: the geometry has no finite numbers there");
 }
 
 TEST_CASE("functions of a plugin that fail are told with what they were asked for") {
@@ -267,8 +267,8 @@ TEST_CASE("a pose tells whether it is out of reach or not finite") {
   CHECK(pose.why == "the rod is too short");
   const Machine broken(test::slider_crank(), {{13}, {0.2}, {0.5}});
   const double beyond[] = {1.0};
-  CHECK(broken.pose(beyond).status == PM_FAILED);
-  CHECK(broken.pose(beyond).why == "the plugin returned numbers that are not finite");
+  CHECK(broken.pose(beyond).status == PM_SINGULAR);
+  CHECK(broken.pose(beyond).why == "the geometry has no finite numbers there");
 }
 
 TEST_CASE("a slender body has a right-handed frame with z along its axis") {
