@@ -18,6 +18,8 @@ namespace {
 constexpr double vanished = 1e-7;
 // Of its value at home: a margin is looked at between samples where it is less.
 constexpr double low = 0.5;
+// Of the whole motion: times found by the least of two margins that vanish together.
+constexpr double same_time = 1e-6;
 // |det G_| of a pose whose wrenches hold the platform.
 constexpr double regular = 1e-6;
 
@@ -84,7 +86,8 @@ class Losses {
 
 Margins follow_margins(const mechanics::Trajectory& trajectory, const mechanics::Machine& machine, double length) {
   const BodyFreedoms freedoms(machine);
-  const std::size_t n = trajectory.time.size();
+  const std::vector<double>& t = trajectory.time;
+  const std::size_t n = t.size();
   Margins out;
   out.at_home = freedoms.at_home();
   out.at_sample.resize(n);
@@ -101,6 +104,12 @@ Margins follow_margins(const mechanics::Trajectory& trajectory, const mechanics:
   Losses losses(trajectory, machine, freedoms, out, length);
   for (const auto which : {BodyFreedoms::locked, BodyFreedoms::free, BodyFreedoms::limb, BodyFreedoms::limb_locked})
     std::ranges::copy(losses.of(which), std::back_inserter(out.losses));
+  // A freedom that no actuator has a say in is one with all actuators locked as well: one loss, told once.
+  std::erase_if(out.losses, [&, all = out.losses](const Crossing& c) {
+    return c.what == Crossing::What::bodies && std::ranges::any_of(all, [&](const Crossing& other) {
+             return other.what == Crossing::What::freedoms && std::abs(other.time - c.time) < same_time * (t.back() - t.front());
+           });
+  });
   for (std::size_t k = 0; k < n; ++k) {
     const int sample = static_cast<int>(k);
     if (ends[k] && (!out.end_of_reach || ends[k]->distance < out.end_of_reach->end.distance)) out.end_of_reach = {*ends[k], sample};

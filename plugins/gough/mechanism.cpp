@@ -143,7 +143,8 @@ Topology Gough::describe(const Parameters& p) const {
   t.coordinates = free_pose(home_, 0.2 * mean_length_, 20 * deg);
   t.platform =
       t.add(Body{"platform", 0, false, Inertia::solid_cylinder(p["platform_mass"], p["platform_thickness"], p["platform_radius"], 0)});
-  const double cylinder = p["cylinder_length"], rod = p["rod_length"], shortest = 0.95 * stroke_.min;
+  const double cylinder = p["cylinder_length"], rod = p["rod_length"],
+               shortest = 0.95 * std::max(stroke_.min, 0.5 * mean_length_);  // a stroke from nothing draws legs all the same
   const Telescope telescope{
       "cylinder ", "rod ", "rho", "length of leg ", solid_cylinder(p, "cylinder", 0, cylinder), solid_cylinder(p, "rod", -rod, 0), stroke_};
   const Range turn = either_way(p["base_cone"]), cone = up_to(p["platform_cone"]);

@@ -136,7 +136,7 @@ Deviation jets_against_differences(const Machine& machine, const State& state) {
     acceleration_scale = std::max(acceleration_scale, std::abs(state.placement_jets[3 * i + 2]));
   }
   // The usual step; near the end of reach, where the geometry turns in a much smaller one, the step that is known best.
-  constexpr double enough = 1e-12, share = 1.0 / 16;
+  constexpr double enough = 1e-10, share = 1.0 / 16;  // a tenth of what any claim asks for
   constexpr int most_steps = 12;
   Stencil stencil(machine, state);
   std::optional<Differences> best;

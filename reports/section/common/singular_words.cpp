@@ -19,7 +19,7 @@ constexpr std::size_t few = 3;  // of a sort are told one by one
 // From this condition number of the unit wrenches on the platform on, a load asks for forces out of all proportion, and a report says so.
 constexpr double poor_hold = 1000;
 // Of home's hold of all bodies: from here on the same.
-constexpr double loose = 0.01;
+constexpr double loose = 0.05;
 
 const char* meaning(What what) {
   switch (what) {
@@ -30,7 +30,8 @@ const char* meaning(What what) {
     case What::bodies:
       return "There bodies move although all actuators are locked, and forces inside the mechanism grow without bound.";
     case What::freedoms:
-      return "There the platform has a freedom that no actuator has a say in.";
+      return "There bodies have a freedom that no actuator has a say in (a constraint singularity): they move although all actuators are "
+             "locked, and forces inside the mechanism grow without bound.";
     case What::limb:
       return "There the platform has lost a freedom: with the platform locked an actuator moves (type 1).";
     case What::limb_locked:
@@ -172,7 +173,7 @@ std::vector<std::string> nearness_sentences(const Analysis& a) {
                     show_time(a, l->sample), format_number(1 / l->share, 3)));
   if (const auto& chart = a.margins().chart)
     out.push_back(
-        fmt::format("At t = {}{} {}. Forces and motions of the bodies come from the platform's twist and are right; the rates of these "
+        fmt::format("At t = {}{}: {}. Forces and motions of the bodies come from the platform's twist and are right; the rates of these "
                     "coordinates, and "
                     "what is told in them, are not to be relied on. Turn the platform's own axes, so that it moves at other angles.",
                     show_time(a, chart->sample), chart->samples > 1 ? fmt::format(" (worst of {} samples)", chart->samples) : "",

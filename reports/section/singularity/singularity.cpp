@@ -146,9 +146,11 @@ std::string lines_words(const mechanics::Machine& m, const Singularity& s) {
 }
 
 document::Proof proof_of(const std::vector<ExaminedPose>& poses, double length) {
-  int ranks = 0, singular = 0;
+  int ranks = 0, singular = 0, compared = 0;
   double angle = 0;
   for (const ExaminedPose& p : poses) {
+    if (p.beyond_g) continue;  // it is told that G, which knows one body, does not know it
+    ++compared;
     const Singularity& s = p.at;
     ranks = std::max(ranks, std::abs(6 - s.ranks.wrenches - s.freedoms.platform));
     if (s.freedoms.platform == 0 || s.ranks.wrenches == 6) continue;
@@ -161,7 +163,7 @@ document::Proof proof_of(const std::vector<ExaminedPose>& poses, double length) 
       {"Closed form and generic model agree on what is lost",
        fmt::format("6 less the rank of G against the freedoms of the platform that the constraints of all bodies leave with the "
                    "actuators locked, at {}, largest difference",
-                   plural(static_cast<int>(poses.size()), "pose")),
+                   plural(compared, "pose")),
        double(ranks), 0, ""});
   // A singular pose is known to the last digits of its coordinate; the smallest singular value there is 1e-15, the next one 1e-3 or more.
   if (singular > 0)
@@ -211,7 +213,8 @@ Result singularity_section(const Analysis& a, const SingularityOptions& r, const
     const std::string when = fmt::format("t = {} s", format_number(c.time, 7));
     auto p = examine(a, when, c.coordinates, length, false);
     std::string told = sentence(a, c);
-    if (p && p->singular()) told += " It is of " + type_words(p->at.type) + ".";
+    if (p) p->beyond_g = c.what != Crossing::What::surface && c.what != Crossing::What::pole;
+    if (p && p->singular() && !p->beyond_g) told += " It is of " + type_words(p->at.type) + ".";
     met.push_back(std::move(told));
     if (p) poses.push_back(std::move(*p));
   }
@@ -284,7 +287,7 @@ Result singularity_section(const Analysis& a, const SingularityOptions& r, const
     gallery.pictures.push_back(o.wait());
   }
   if (!gallery.pictures.empty()) s.blocks.push_back(gallery);
-  if (!poses.empty()) s.blocks.push_back(proof_of(poses, length));
+  if (std::ranges::any_of(poses, [](const ExaminedPose& p) { return !p.beyond_g; })) s.blocks.push_back(proof_of(poses, length));
 
   const auto value = [&](const std::string& name, double x) { out.values.push_back({"singularity", name, "", x}); };
   double smallest = along.worst >= 0 ? along.smallest[static_cast<std::size_t>(along.worst)] : nan, condition = nan;
