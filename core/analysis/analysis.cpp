@@ -26,9 +26,10 @@ Analysis::Analysis(const scenario::Scenario& scenario, const mechanics::Trajecto
   run(progress);
   if (asked_.forces) run_dynamics(progress);
   breaches_ = find_breaches(machine.topology(), columns_);
+  if (!asked_.singularities) return;
   singular_everywhere_ = mechanics::singular_everywhere(machine, length_);
   if (singular_everywhere_) return;  // a surface that is everywhere is met nowhere
-  crossings_ = find_crossings(trajectory, machine, wrenches_, mobility_, length_);
+  crossings_ = find_crossings(trajectory, machine, wrenches_, length_);
   progress.stop_if_asked();
   margins_ = follow_margins(trajectory, machine, length_);
   for (const Crossing& c : margins_.losses) crossings_.push_back(c);

@@ -119,7 +119,7 @@ void Analysis::balance_power() {
     const auto rate = smooth_rate([&](double x) { return probe.go(x) ? probe.energy() : nan; }, t, begin, end);
     if (!rate) return;
     const double scale = std::max(largest_power, std::abs(rate->value)), deviation = std::abs(power - rate->value);
-    if (rate->change <= smooth * scale) residuals_[k][static_cast<std::size_t>(Measure::power_balance)] = relative(deviation, scale);
+    if (rate->change <= smooth * scale) set(residuals_[k], Measure::power_balance, relative(deviation, scale));
   });
 }
 

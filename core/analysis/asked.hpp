@@ -7,7 +7,8 @@ struct Scenario;
 
 namespace pmreport::analysis {
 
-// Poses, twists, how well G is conditioned and what breaks a stroke or a joint's limit are always computed: the gates judge them.
+// Poses, twists, how well G is conditioned and what breaks a stroke or a joint's limit are always computed: the gates judge them, and
+// singularities with them, but for a single instant.
 struct Asked {
   bool displacement_evidence = false;  // joints close, and forward displacement returns the pose
   bool velocity_evidence = false;      // twists and rates by several ways, and against differences in extended precision
@@ -18,6 +19,7 @@ struct Asked {
   bool power_evidence = false;         // that power becomes energy
   bool drives = false;                 // what drives and motors must give; within forces in motion
   bool reactions = false;              // the wrench in every joint; within forces in motion
+  bool singularities = true;           // where the motion meets one, or comes near it
 };
 
 // By the kinds of the scenario's sections and its limits.

@@ -16,13 +16,8 @@ constexpr double small = 1e-3;
 class Search {
  public:
   Search(const mechanics::Trajectory& trajectory, const mechanics::Machine& machine, const std::vector<HoldingWrenches>& wrenches,
-         const mechanics::Mobility& mobility, double length)
-      : t_(trajectory.time),
-        machine_(machine),
-        wrenches_(wrenches),
-        mobility_(mobility),
-        length_(length),
-        motion_(trajectory, machine.dof()) {}
+         double length)
+      : t_(trajectory.time), machine_(machine), wrenches_(wrenches), length_(length), motion_(trajectory, machine.dof()) {}
 
   std::vector<Crossing> run() {
     const int n = static_cast<int>(t_.size());
@@ -36,7 +31,7 @@ class Search {
         continue;
       }
       if (k + 1 < n && side(k) * side(k + 1) < 0)
-        crosses(k, t_[at(k)], t_[at(k + 1)]);
+        crosses(k, t_[at(k)], t_[at(k + 1)], side(k));
       else if (k > 0 && k + 1 < n && side(k - 1) == side(k) && side(k + 1) == side(k))
         dips(k);
     }
@@ -62,8 +57,7 @@ class Search {
   }
 
   // One side at `low`, the other at `high`.
-  void crosses(int sample, double low, double high) {
-    const int side_before = side(sample);
+  void crosses(int sample, double low, double high, int side_before) {
     // Both ends have a sign that rounding cannot turn over; between them the value as it comes tells the time to its last digits.
     const double when = last_time(low, high, [&](double t) {
       const auto w = wrenches(t);
@@ -79,7 +73,7 @@ class Search {
   void dips(int k) {
     const auto size = [&](int i) { return std::abs(wrenches_[at(i)].determinant); };
     const double left = size(k - 1), middle = size(k), right = size(k + 1);
-    if (!(middle <= left && middle <= right) || std::max(left, right) - middle <= 1e-9 * middle) return;
+    if (!(middle <= left && middle < right) || std::max(left, right) - middle <= 1e-9 * middle) return;
     const double lowest = least_time(t_[at(k - 1)], t_[at(k + 1)], [&](double t) {
       const auto w = wrenches(t);
       return w ? w->value * side(k) : std::nan("");
@@ -87,25 +81,16 @@ class Search {
     const auto w = wrenches(lowest);
     if (!w) return;
     if (w->side == -side(k)) {
-      crosses(k, t_[at(k - 1)], lowest);
-      const double out = last_time(lowest, t_[at(k + 1)], [&](double t) {
-        const auto there = wrenches(t);
-        return there && there->value * side(k) < 0;
-      });
-      meet(out, Crossing::What::surface, false, out);
-    } else if (w->side == 0 || is_singular(lowest)) {
+      crosses(k, t_[at(k - 1)], lowest, side(k));
+      crosses(k, lowest, t_[at(k + 1)], -side(k));
+    } else if (w->side == 0) {
       meet(lowest, Crossing::What::surface, true, lowest);
     }
-  }
-  bool is_singular(double t) {
-    const auto s = mechanics::singularity_at(machine_, motion_.at(t), mobility_, length_);
-    return s && s->conditioning.condition() > singular;
   }
 
   const std::vector<double>& t_;
   const mechanics::Machine& machine_;
   const std::vector<HoldingWrenches>& wrenches_;
-  const mechanics::Mobility& mobility_;
   double length_;
   PosesInTime motion_;
   std::vector<Crossing> found_;
@@ -114,8 +99,8 @@ class Search {
 }  // namespace
 
 std::vector<Crossing> find_crossings(const mechanics::Trajectory& trajectory, const mechanics::Machine& machine,
-                                     const std::vector<HoldingWrenches>& wrenches, const mechanics::Mobility& mobility, double length) {
-  return Search(trajectory, machine, wrenches, mobility, length).run();
+                                     const std::vector<HoldingWrenches>& wrenches, double length) {
+  return Search(trajectory, machine, wrenches, length).run();
 }
 
 }  // namespace pmreport::analysis

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <core/analysis/conditioning.hpp>
-#include <core/mechanics/mobility/mobility_count.hpp>
+#include <core/mechanics/model/machine.hpp>
 #include <core/mechanics/trajectory/trajectory.hpp>
 
 #include <Eigen/Core>
@@ -30,8 +30,8 @@ struct Crossing {
 };
 
 // Those that the wrenches on the platform tell: the motion changes its side of a singular surface, touches it, or stays on it. `wrenches`:
-// of every sample. `mobility`: of the machine at home; `length`: its characteristic length [m].
+// of every sample. `length`: characteristic length of the machine [m].
 std::vector<Crossing> find_crossings(const mechanics::Trajectory& trajectory, const mechanics::Machine& machine,
-                                     const std::vector<HoldingWrenches>& wrenches, const mechanics::Mobility& mobility, double length);
+                                     const std::vector<HoldingWrenches>& wrenches, double length);
 
 }  // namespace pmreport::analysis

@@ -14,9 +14,9 @@ using mechanics::BodyFreedoms;
 
 namespace {
 
-// Of its value at home, or of one if that is less: a margin that has vanished. Between samples it is found to half the digits of a double.
+// Of what a sound pose has of it: a margin that has vanished. Between samples it is found to half the digits of a double.
 constexpr double vanished = 1e-7;
-// Of its value at home: a margin is looked at between samples where it is less.
+// Likewise: a margin is looked at between samples where it is less.
 constexpr double low = 0.5;
 // Of the whole motion: times found by the least of two margins that vanish together.
 constexpr double same_time = 1e-6;
@@ -40,27 +40,29 @@ class Losses {
         motion_(trajectory, machine.dof()) {}
 
   std::vector<Crossing> of(BodyFreedoms::Margin which) {
-    const double home = std::min(1.0, margins_.at_home[which]);
-    const auto value = [&](std::size_t k) { return margins_.at_sample[k][which]; };
+    const double sound = std::min(1.0, margins_.sound[which]);
+    const auto clamped = [&](double x) { return x < vanished * sound ? 0.0 : x; };
+    const auto value = [&](std::size_t k) { return clamped(margins_.at_sample[k][which]); };
     std::vector<Crossing> out;
     for (std::size_t k = 0; k < t_.size(); ++k) {
-      if (!(value(k) < low * home)) continue;
-      const double left = k > 0 ? value(k - 1) : INFINITY, right = k + 1 < t_.size() ? value(k + 1) : INFINITY;
-      // No minimum, or one that goes on, or the edge of poses that cannot be assembled, which are told as such.
+      if (!(value(k) < low * sound)) continue;
+      // The last sample of a run of equals speaks for it. No minimum, or the edge of poses that cannot be assembled, which are told as
+      // such.
+      const double right = k + 1 < t_.size() ? value(k + 1) : INFINITY;
+      std::size_t first = k;
+      while (first > 0 && value(first - 1) == value(k)) --first;
+      const double left = first > 0 ? value(first - 1) : INFINITY;
       if (!(value(k) <= left && value(k) < right)) continue;
-      double when = t_[k];
-      if (!(value(k) < vanished * home)) {
-        const double from = k > 0 ? t_[k - 1] : t_[k], to = k + 1 < t_.size() ? t_[k + 1] : t_[k];
-        when = least_time(from, to, [&](double t) {
-          const double x = at(t)[which];
-          return x < vanished * home ? 0 : x;
-        });
-        if (!(at(when)[which] < vanished * home)) continue;
+      double when = t_[first], until = t_[k];
+      if (value(k) > 0) {
+        when = until = least_time(first > 0 ? t_[first - 1] : t_[first], k + 1 < t_.size() ? t_[k + 1] : t_[k],
+                                  [&](double t) { return clamped(at(t)[which]); });
+        if (!(clamped(at(when)[which]) == 0)) continue;
       }
       const auto w = mechanics::wrench_determinant(machine_, motion_.at(when), length_);
       if (which != BodyFreedoms::limb && w && !(std::abs(w->value) > regular)) continue;
       const auto before = static_cast<int>(std::upper_bound(t_.begin(), t_.end(), when) - t_.begin()) - 1;
-      out.push_back({before, when, when, motion_.at(when), meaning[which], true});
+      out.push_back({before, when, until, motion_.at(when), meaning[which], true});
     }
     return out;
   }
@@ -89,7 +91,8 @@ Margins follow_margins(const mechanics::Trajectory& trajectory, const mechanics:
   const std::vector<double>& t = trajectory.time;
   const std::size_t n = t.size();
   Margins out;
-  out.at_home = freedoms.at_home();
+  const auto home = mechanics::wrench_determinant(machine, machine.home(), length);
+  out.home_is_singular = home && home->side == 0;
   out.at_sample.resize(n);
   std::vector<std::optional<mechanics::EndOfReach>> ends(n);
   std::vector<std::optional<mechanics::ChartFault>> faults(n);
@@ -101,6 +104,12 @@ Margins follow_margins(const mechanics::Trajectory& trajectory, const mechanics:
     ends[k] = mechanics::end_of_reach(machine, q, length);
     faults[k] = mechanics::chart_fault(machine, q, length);
   });
+  // Home alone may be singular itself.
+  out.sound = freedoms.at_home();
+  for (std::size_t which = 0; which < out.sound.size(); ++which)
+    if (!(out.sound[which] > 1e-6))
+      for (const BodyFreedoms::Margins& m : out.at_sample)
+        if (std::isfinite(m[which])) out.sound[which] = std::max(out.sound[which], m[which]);
   Losses losses(trajectory, machine, freedoms, out, length);
   for (const auto which : {BodyFreedoms::locked, BodyFreedoms::free, BodyFreedoms::limb, BodyFreedoms::limb_locked})
     std::ranges::copy(losses.of(which), std::back_inserter(out.losses));

@@ -14,8 +14,9 @@ namespace pmreport::analysis {
 
 struct Margins {
   std::vector<mechanics::BodyFreedoms::Margins> at_sample;  // NaN without a pose
-  mechanics::BodyFreedoms::Margins at_home{};
-  std::vector<Crossing> losses;  // where one vanishes, at a sample or between samples
+  mechanics::BodyFreedoms::Margins sound{};  // what a sound pose has: that at home, or, where home has none, the most on the way
+  bool home_is_singular = false;             // to rounding, by the wrenches on the platform
+  std::vector<Crossing> losses;              // where one vanishes, at a sample or between samples
 
   struct Nearest {  // to the end of reach
     mechanics::EndOfReach end;

@@ -15,7 +15,8 @@ constexpr std::size_t orders = 3;  // value, rate, acceleration
 // Rates and accelerations are allowed more: they waver more, and those of measured points with the noise of these.
 constexpr std::array<double, orders> allowed{0.05, 0.25, 0.25};
 constexpr double shown_well = 0.01;  // the same, where the number of samples is enough
-constexpr double rounding = 1e-12;   // of a value: what moves less does not move
+constexpr double rounding = 1e-12;   // of a value, or of the mechanism's size: what moves less does not move
+constexpr double beside = 1e-9;      // of what moves most: what moves less beside it is what an integration, or rounding, leaves
 // Where a stretch is looked at. No ends: they may be knots, which are of neither side.
 constexpr std::array<double, 3> places{1.0 / 6, 0.5, 5.0 / 6};
 
@@ -179,12 +180,14 @@ std::vector<Unseen> unseen_between_samples(const Analysis& a) {
   const double span = a.time().back() - a.time().front();
   const double pace = static_cast<double>(std::max(motion.steps.size(), a.time().size())) / span;
   // The lowest order that counts and is hidden, among all of one quantity.
-  const auto add = [&](const Look* own, std::size_t count, const std::string& name, const std::string& unit) {
+  const auto add = [&](const Look* own, std::size_t count, const std::string& name, const std::string& unit,
+                       const std::array<double, orders>& floor) {
     const double largest = std::max(std::abs(own->low), std::abs(own->high));
     for (std::size_t k = 0; k < count; ++k) {
       const Look& x = own[k];
       const double moves = x.high - x.low;
-      if (!counts[k] || !(moves > rounding * largest * std::pow(pace, static_cast<double>(k))) || !(x.beyond > allowed[k] * moves))
+      if (!counts[k] || !(moves > std::max(rounding * largest * std::pow(pace, static_cast<double>(k)), floor[k])) ||
+          !(x.beyond > allowed[k] * moves))
         continue;
       const char* per[] = {"", "/s", "/s^2"};
       out.push_back({name, unit + per[k], static_cast<OfMotion>(k), x.beyond, x.time, moves, std::max(x.sample_high - x.sample_low, 0.0),
@@ -196,17 +199,31 @@ std::vector<Unseen> unseen_between_samples(const Analysis& a) {
   const Quantities motions = moved(a);
   Looker at_motion(a.time(), motions);
   const std::vector<Look>& looks = at_motion.look();
-  for (std::size_t i = 0; i < topology.actuators.size(); ++i)
+  // Angles count as ways at the characteristic length.
+  const auto size = [&](std::size_t i) {
+    return (motion.by_actuators() ? topology.actuators[i].sense() : topology.coordinates[i].sense()) == Sense::rotary ? a.length() : 1.0;
+  };
+  std::array<double, orders> most{};
+  for (std::size_t i = 0; i < motions.count; ++i)
+    for (std::size_t k = 0; k < orders; ++k) {
+      const double moves = (looks[orders * i + k].high - looks[orders * i + k].low) * size(i);
+      if (std::isfinite(moves)) most[k] = std::max(most[k], moves);
+    }
+  for (std::size_t i = 0; i < motions.count; ++i) {
+    std::array<double, orders> floor{};
+    for (std::size_t k = 0; k < orders; ++k)
+      floor[k] = std::max(beside * most[k], rounding * a.length() * std::pow(pace, static_cast<double>(k))) / size(i);
     if (motion.by_actuators())
-      add(&looks[orders * i], orders, topology.actuators[i].name, topology.actuators[i].unit);
+      add(&looks[orders * i], orders, topology.actuators[i].name, topology.actuators[i].unit, floor);
     else
-      add(&looks[orders * i], orders, topology.coordinates[i].name, topology.coordinates[i].unit);
+      add(&looks[orders * i], orders, topology.coordinates[i].name, topology.coordinates[i].unit, floor);
+  }
   if ((asked.statics || asked.forces) && a.scenario().load.steps.size() > 1) {
     const Quantities wrench = loads(a);
     Looker at_load(a.time(), wrench);
     const std::vector<Look>& seen = at_load.look();
     for (std::size_t c = 0; c < 6; ++c)
-      add(&seen[c], 1, std::string("the load's ") + (c < 3 ? "force along " : "moment about ") + "xyz"[c % 3], c < 3 ? "N" : "N*m");
+      add(&seen[c], 1, std::string("the load's ") + (c < 3 ? "force along " : "moment about ") + "xyz"[c % 3], c < 3 ? "N" : "N*m", {});
   }
   std::stable_sort(out.begin(), out.end(), [](const Unseen& x, const Unseen& y) { return x.beyond * y.moves > y.beyond * x.moves; });
   return out;

@@ -10,6 +10,7 @@ namespace {
 Asked asked_without_evidence(const scenario::Scenario& scenario) {
   Asked out = asked_by(scenario);
   out.displacement_evidence = out.velocity_evidence = out.acceleration_evidence = out.force_evidence = out.power_evidence = false;
+  out.singularities = false;
   return out;
 }
 

@@ -162,8 +162,7 @@ double stored_and_back(const Analysis& a, const SampleRun& run) {
 double rounding_of(const Analysis& a, const SampleRun& run, double gross) {
   constexpr double roundings = 64 * std::numeric_limits<double>::epsilon();  // in a row, of what is computed from a pose
   double condition = 1, mass = 0;
-  for (int k = run.first; k <= run.last; ++k)
-    condition = std::fmax(condition, a.column(column_of(OfMachine::condition))[static_cast<std::size_t>(k)]);
+  for (int k = run.first; k <= run.last; ++k) condition = std::fmax(condition, a.wrenches(k).condition);
   for (const Body& b : a.machine().topology().bodies) mass += b.inertia.mass;
   double ends = 2 * mass * a.scenario().load.gravity.norm() * a.length();
   for (const int k : {run.first, run.last}) {

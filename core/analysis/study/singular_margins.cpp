@@ -36,6 +36,7 @@ AlongMotion along_motion(const Analysis& a, double length) {
 SingularityGrid singularity_grid(const mechanics::Machine& m, const PoseMap& r, double length) {
   const auto n = static_cast<std::size_t>(r.points);
   SingularityGrid grid{std::vector<double>(n * n, nan), std::vector<double>(n * n, nan)};
+  std::vector<int> sides(n * n, 0);
   tbb::parallel_for(std::size_t{0}, n, [&](std::size_t row) {
     std::vector<double> q(static_cast<std::size_t>(m.dof()) * n), placement(m.layout().size() * n), g(36 * n);
     const auto at = [&](int axis, std::size_t k) {
@@ -51,11 +52,16 @@ SingularityGrid singularity_grid(const mechanics::Machine& m, const PoseMap& r, 
       for (std::size_t e = 0; e < 36; ++e) jacobian(static_cast<int>(e / 6), static_cast<int>(e % 6)) = g[e * n + k];
       if (!jacobian.allFinite()) continue;
       const mechanics::Conditioning c = mechanics::conditioning(m, jacobian, length);
+      sides[row * n + k] = mechanics::side_of(jacobian, length);
       grid.determinant[row * n + k] = c.determinant;
       grid.smallest[row * n + k] = std::copysign(c.smallest, c.determinant);
     }
   });
-  for (const double d : grid.determinant) grid.reachable += std::isfinite(d) ? 1 : 0, grid.negative += d < 0 ? 1 : 0;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    if (!std::isfinite(grid.determinant[k])) continue;
+    ++grid.reachable;
+    grid.negative += sides[k] < 0 ? 1 : 0, grid.singular += sides[k] == 0 ? 1 : 0;
+  }
   return grid;
 }
 

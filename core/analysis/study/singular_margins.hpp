@@ -26,7 +26,7 @@ struct PoseMap {
 // coordinate rising along it. NaN: out of reach. `map.at` must be as long as the coordinates.
 struct SingularityGrid {
   std::vector<double> determinant, smallest;
-  int reachable = 0, negative = 0;  // poses
+  int reachable = 0, negative = 0, singular = 0;  // poses; singular: det G is zero to rounding, and has no sign
 };
 SingularityGrid singularity_grid(const mechanics::Machine& m, const PoseMap& map, double length);
 

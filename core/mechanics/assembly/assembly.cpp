@@ -156,7 +156,7 @@ std::size_t all_words(const Machine& machine) {
 void add_from_joints(AssemblySearch& search, std::span<const std::unique_ptr<Machine>> machines, const Eigen::VectorXd& actuators,
                      const Eigen::VectorXd& reference, int starts, AssemblyModes& found) {
   constexpr int most_rounds = 4;
-  int missed = 0;
+  int missed = 0, all_starts = 0, all_arrivals = 0;
   for (int round = 0; round < most_rounds; ++round) {
     const std::size_t before = found.modes.size();
     JointSearch joints = search_joints(machines, actuators, reference, found.modes, starts);
@@ -164,6 +164,8 @@ void add_from_joints(AssemblySearch& search, std::span<const std::unique_ptr<Mac
     missed += static_cast<int>(found.modes.size() - before);
     found.further = std::move(joints.further);
     found.further->missed = missed;
+    found.further->starts = all_starts += found.further->starts;
+    found.further->arrivals = all_arrivals += found.further->arrivals;
     if (found.modes.size() == before) return;
   }
 }

@@ -102,14 +102,15 @@ void ContinuumSearch::keep(std::size_t continuum, Spot s, bool in_front) {
 void ContinuumSearch::enter(const Site& mode) {
   const std::size_t number = found_.size();
   Spot start = held_.spot(mode.word, mode.u);
-  held_.settle(start, HeldActuators::stride);
+  if (Spot settled = start; held_.settle(settled, HeldActuators::stride) == HeldActuators::Step::done) start = std::move(settled);
   const double bound = held_.rounding(start);
+  const MatrixXd t = held_.tangents(start, bound);
+  if (t.cols() == 0) return;  // measured anew, the mode stands alone
   found_.emplace_back();
   spots_.emplace_back();
   bounds_.push_back(bound);
   joined_.push_back(joined);
   found_.back().word = mode.word;
-  const MatrixXd t = held_.tangents(start, bound);
   SmallVector way = t.col(0);
   // What kind of family it is, is seen a little farther on: branches may cross here.
   for (Eigen::Index k = 0; k < 2 * t.cols(); ++k) {
@@ -156,6 +157,7 @@ bool ContinuumSearch::join(std::size_t into, std::size_t from) {
       a.coordinates.insert(a.coordinates.end(), b.coordinates.begin(), b.coordinates.end());
       a.residual = std::max(a.residual, b.residual);
       a.reached_by_starts += b.reached_by_starts;
+      spots_[into].insert(spots_[into].end(), spots_[from].begin(), spots_[from].end());
       return true;
     }
   }

@@ -131,8 +131,10 @@ bool AssemblySearch::enough() {
   const auto known = static_cast<int>(out_.modes.size() + continua_.size());
   if (quiet_ >= std::max(options_.quiet_arrivals, 12 * known) &&
       std::ranges::all_of(out_.modes, [](const AssemblyMode& m) { return m.reached_by_starts >= often; }) &&
-      continua_.least_starts() >= often)
+      continua_.least_starts() >= often) {
+    out_.ended = AssemblyModes::Ended::quiet;
     return true;
+  }
   if (out_.starts < options_.most_starts) return false;
   out_.ended = AssemblyModes::Ended::most_starts;
   return true;

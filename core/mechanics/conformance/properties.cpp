@@ -242,7 +242,7 @@ class Suite {
       l(i) = state_.actuators[static_cast<std::size_t>(i)].value;
     }
     const VectorXd guess = q + std::min(0.01, 1 / condition) * scaled(1.0);
-    if (machine_.pose({guess.data(), static_cast<std::size_t>(guess.size())}).status == PM_UNREACHABLE) return;
+    if (machine_.pose({guess.data(), static_cast<std::size_t>(guess.size())}).status != PM_OK) return;
     const ForwardSolution s = forward_.solve(l, guess);
     double worst = 0;
     for (int i = 0; i < q.size(); ++i)

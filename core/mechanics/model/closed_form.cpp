@@ -12,8 +12,6 @@ namespace pmreport::mechanics {
 
 namespace {
 
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
-
 // Singular values, zero where the matrix is not known.
 Vector6d spectrum(const Matrix6d& g) { return g.allFinite() ? linear::singular_values(g) : Vector6d::Zero(); }
 double over(double x, double y) { return y > 0 ? x / y : std::numeric_limits<double>::infinity(); }
@@ -25,7 +23,7 @@ ClosedForm closed_form(const Machine& machine, const State& state, double length
   PMREPORT_ASSERT(length > 0, "the characteristic length is positive");
   double jets[108];
   ClosedForm c;
-  if (machine.jacobian(PM_JET, 1, state.placement_jets.data(), jets) != PM_OK) std::ranges::fill(jets, not_known);
+  (void)machine.jacobian(PM_JET, 1, state.placement_jets.data(), jets);  // NaN where it is not known
   for (int e = 0; e < 36; ++e) {
     c.jacobian(e / 6, e % 6) = jets[3 * e];
     c.jacobian_rate(e / 6, e % 6) = jets[3 * e + 1];

@@ -136,7 +136,8 @@ Deviation jets_against_differences(const Machine& machine, const State& state) {
     acceleration_scale = std::max(acceleration_scale, std::abs(state.placement_jets[3 * i + 2]));
   }
   // The usual step; near the end of reach, where the geometry turns in a much smaller one, the step that is known best.
-  constexpr double enough = 1e-10, share = 1.0 / 16;  // a tenth of what any claim asks for
+  constexpr double enough_of_rates = 1e-13, enough_of_accelerations = 1e-11;  // a tenth of the least that any claim asks for
+  constexpr double share = 1.0 / 16;
   constexpr int most_steps = 12;
   Stencil stencil(machine, state);
   std::optional<Differences> best;
@@ -145,7 +146,7 @@ Deviation jets_against_differences(const Machine& machine, const State& state) {
     std::optional<Differences> there = stencil.at(step);
     if (!there) continue;
     if (!best || there->acceleration_error < best->acceleration_error) best = std::move(there);
-    if (best->acceleration_error <= enough * acceleration_scale) break;
+    if (best->acceleration_error <= enough_of_accelerations * acceleration_scale && best->rate_error <= enough_of_rates * rate_scale) break;
   }
   if (!best) {
     d.reachable = false;

@@ -40,7 +40,7 @@ struct ChartFault {
 // characteristic_length(machine) [m].
 constexpr double nearly_singular = 0.02;
 std::optional<ChartFault> chart_fault(const Machine& machine, const SmallVector& coordinates, double length);
-// "alpha and gamma turn the platform about one axis there: these coordinates are singular, not the machine; ..."
+// "alpha and gamma turn the platform about one axis there: these coordinates are singular, the machine is not"
 std::string in_words(const Machine& machine, const ChartFault& fault);
 
 }  // namespace pmreport::mechanics

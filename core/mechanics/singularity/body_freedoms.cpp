@@ -59,18 +59,21 @@ BodyFreedoms::BodyFreedoms(const Machine& machine) : machine_(machine), length_(
     column_[b] = width, width += 6;
   }
 
+  // First what the limbs have, at the best of the poses; then what is left to the core when they have it.
   const State home = state_at_rest(machine, machine.home());
-  expected_ = ranks(rows(home));
-  for (const VectorXd& q : random_poses(machine, looked_at, 1)) {
-    const State state = state_at_rest(machine, q);
-    if (state.status != PM_OK) continue;
-    const Ranks here = ranks(rows(state));
+  std::vector<Rows> poses{rows(home)};
+  for (const VectorXd& q : random_poses(machine, looked_at, 1))
+    if (const State state = state_at_rest(machine, q); state.status == PM_OK) poses.push_back(rows(state));
+  expected_.limb.assign(widths_.size(), 0), expected_.limb_locked.assign(widths_.size(), 0);
+  for (const Rows& r : poses)
     for (std::size_t g = 0; g < widths_.size(); ++g) {
-      expected_.limb[g] = std::max(expected_.limb[g], here.limb[g]);
-      expected_.limb_locked[g] = std::max(expected_.limb_locked[g], here.limb_locked[g]);
+      expected_.limb[g] = std::max<Index>(expected_.limb[g], linear::rank(r.own[g].topRows(r.passive[g])));
+      expected_.limb_locked[g] = std::max<Index>(expected_.limb_locked[g], linear::rank(r.own[g]));
     }
-    expected_.free = std::max(expected_.free, here.free);
-    expected_.locked = std::max(expected_.locked, here.locked);
+  double unused = 0;
+  for (const Rows& r : poses) {
+    expected_.free = std::max<Index>(expected_.free, linear::rank(reduced(r, false, unused), 1));
+    expected_.locked = std::max<Index>(expected_.locked, linear::rank(reduced(r, true, unused), 1));
   }
   at_home_ = at(home);
 }
@@ -113,12 +116,12 @@ BodyFreedoms::Rows BodyFreedoms::rows(const State& state) const {
 }
 
 // R of (2), and the least pivot of the groups.
-MatrixXd BodyFreedoms::reduced(const Rows& r, const Ranks& ranks, bool locked, double& least) const {
+MatrixXd BodyFreedoms::reduced(const Rows& r, bool locked, double& least) const {
   std::vector<MatrixXd> parts{r.alone};
   if (locked) parts.push_back(r.drives_alone);
   for (std::size_t g = 0; g < widths_.size(); ++g) {
     const Index used = locked ? r.own[g].rows() : r.passive[g];
-    const linear::Complement e = linear::complement(r.own[g].topRows(used), locked ? ranks.limb_locked[g] : ranks.limb[g]);
+    const linear::Complement e = linear::complement(r.own[g].topRows(used), locked ? expected_.limb_locked[g] : expected_.limb[g]);
     least = std::min(least, e.pivot);
     parts.push_back(e.basis.transpose() * r.core[g].topRows(used));
   }
@@ -130,22 +133,10 @@ MatrixXd BodyFreedoms::reduced(const Rows& r, const Ranks& ranks, bool locked, d
   return out;
 }
 
-BodyFreedoms::Ranks BodyFreedoms::ranks(const Rows& r) const {
-  Ranks out;
-  for (std::size_t g = 0; g < widths_.size(); ++g) {
-    out.limb.push_back(linear::rank(r.own[g].topRows(r.passive[g])));
-    out.limb_locked.push_back(linear::rank(r.own[g]));
-  }
-  double unused = 0;
-  out.free = linear::rank(reduced(r, out, false, unused), 1);
-  out.locked = linear::rank(reduced(r, out, true, unused), 1);
-  return out;
-}
-
 BodyFreedoms::Margins BodyFreedoms::margins(const Rows& r) const {
   Margins out;
   out.fill(std::numeric_limits<double>::infinity());
-  const MatrixXd when_free = reduced(r, expected_, false, out[limb]), when_locked = reduced(r, expected_, true, out[limb_locked]);
+  const MatrixXd when_free = reduced(r, false, out[limb]), when_locked = reduced(r, true, out[limb_locked]);
   const auto last = [](const MatrixXd& m, Index rank) {
     return rank > 0 ? linear::pivots(m)(rank - 1) : std::numeric_limits<double>::infinity();
   };

@@ -44,9 +44,8 @@ class BodyFreedoms {
     Eigen::MatrixXd alone, drives_alone;     // of the core alone
   };
   Rows rows(const State& state) const;
-  Ranks ranks(const Rows& r) const;
   Margins margins(const Rows& r) const;
-  Eigen::MatrixXd reduced(const Rows& r, const Ranks& ranks, bool locked, double& least) const;
+  Eigen::MatrixXd reduced(const Rows& r, bool locked, double& least) const;
 
   const Machine& machine_;
   double length_;

@@ -48,7 +48,8 @@ Range power(const Range& x, double n) {
 
 // Of the sine: its ends, and the crests and troughs, pi/2 + k pi, that lie between them.
 Range sine(const Range& x) {
-  if (!(x.width() < 2 * pi)) return {-1, 1};
+  constexpr double countable = 1e15;  // [rad]: beyond it neighbouring numbers are a crest apart
+  if (!(x.width() < 2 * pi) || !(magnitude(x).high < countable)) return {-1, 1};
   Range out = hull({std::sin(x.low), std::sin(x.high)});
   for (double k = std::ceil((x.low - pi / 2) / pi); pi / 2 + k * pi <= x.high; ++k)
     std::fmod(k, 2) == 0 ? void(out.high = 1) : void(out.low = -1);

@@ -26,8 +26,12 @@ struct Scales {
 Scales scales_of(const Law& law) {
   Scales out;
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (std::size_t i = 1; i < law.steps.size(); ++i) {
-    const Derivatives x = at(law, 0.5 * (law.steps[i - 1] + law.steps[i]));
+  // Between two switches that are closer than the steps it may do all that it does.
+  std::vector<double> ends = law.steps;
+  for (const Switch& s : law.switches) ends.push_back(s.time());
+  std::sort(ends.begin(), ends.end());
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const Derivatives x = at(law, 0.5 * (ends[i - 1] + ends[i]));
     if (!std::isfinite(x[0] + x[1] + x[2])) continue;
     low = std::min(low, x[0]), high = std::max(high, x[0]);
     for (const std::size_t k : {1, 2}) out.size[k] = std::max(out.size[k], std::abs(x[k]));

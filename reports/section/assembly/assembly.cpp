@@ -83,10 +83,13 @@ Result assembly_section(const Analysis& a, const AssemblyOptions& r, const Stage
   result.values = {{"assembly", "modes", "", double(found.modes.size())},
                    {"assembly", "continua", "", double(found.continua.size())},
                    {"assembly", "own_working_mode", "", double(own)}};
-  proof.lines.push_back(
-      {"Every mode has the actuator values", "by substitution into inverse displacement, of the mechanism's size", residual, 1e-10, ""});
-  proof.lines.push_back({"Joints meet in every mode", "joint centres as both bodies carry them, of the mechanism's size", gap, 1e-9, ""});
-  proof.lines.push_back({"Joint axes agree in every mode", "axes as both bodies carry them", misalignment, 1e-9, "rad"});
+  const auto of_modes = [&](const char* claim, const char* how, double value, double tolerance, const char* unit) {
+    proof.lines.push_back(found.modes.empty() && found.continua.empty() ? document::Evidence::not_examined(claim, how, "no mode was found")
+                                                                        : document::Evidence{claim, how, value, tolerance, unit});
+  };
+  of_modes("Every mode has the actuator values", "by substitution into inverse displacement, of the mechanism's size", residual, 1e-10, "");
+  of_modes("Joints meet in every mode", "joint centres as both bodies carry them, of the mechanism's size", gap, 1e-9, "");
+  of_modes("Joint axes agree in every mode", "axes as both bodies carry them", misalignment, 1e-9, "rad");
   if (!given) {
     proof.lines.push_back({moves ? "The pose of the motion is among the modes" : "The home pose is among the modes",
                            "its distance from the nearest, by the characteristic length", nearest / a.length(), 1e-7, ""});

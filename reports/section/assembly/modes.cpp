@@ -191,6 +191,7 @@ std::string searched(const AssemblyModes& found) {
       "How they were found: Newton's method from {} random poses, of which {} arrived at a mode, and {} curves on which the actuators move "
       "with one degree of freedom, followed from mode to mode. ",
       found.starts, found.arrivals, found.curves);
+  if (found.modes.empty() && found.continua.empty()) return s + "None arrived. There is no proof that there is no mode.";
   s += found.last_new > 1 ? fmt::format("The last start to find a mode that was not known was number {}; ", found.last_new)
                           : "The curves from the present pose found all; ";
   s += rarest > 0 ? fmt::format("every mode was reached by {} or more. ", plural(rarest, "start"))

@@ -72,7 +72,7 @@ std::optional<Loosest> loosest(const Analysis& a) {
   constexpr auto locked = mechanics::BodyFreedoms::locked;
   std::optional<Loosest> out;
   for (std::size_t k = 0; k < a.margins().at_sample.size(); ++k) {
-    const double share = a.margins().at_sample[k][locked] / a.margins().at_home[locked];
+    const double share = a.margins().at_sample[k][locked] / a.margins().sound[locked];
     if (std::isfinite(share) && (!out || share < out->share)) out = {share, static_cast<int>(k)};
   }
   return out;
@@ -94,6 +94,8 @@ std::string signs_of(const Crossing& c) {
       return c.touches ? "det G is zero and keeps its sign" : "det G changes its sign";
     case What::pole:
       return "det G changes its sign through infinity";
+    case What::limb:
+      return "the constraints of a limb lose rank";
     default:
       return "the constraints of the bodies lose rank though det G is regular";
   }
@@ -151,6 +153,11 @@ std::vector<std::string> nearness_sentences(const Analysis& a) {
   std::vector<std::string> out;
   if (a.singular_everywhere()) return out;
   const Topology& t = a.machine().topology();
+  if (a.margins().home_is_singular)
+    out.push_back(
+        "Home itself stands on a singular surface: what counts from home, sides and assembly modes among it, has no sound beginning. Give "
+        "a "
+        "home that is regular.");
   if (const auto& near = a.margins().end_of_reach) {
     std::vector<std::string> names;
     for (const int i : near->end.actuators) names.push_back(symbol(t.actuators[static_cast<std::size_t>(i)].name));

@@ -39,6 +39,8 @@ std::optional<ExaminedPose> examine(const Analysis& a, const std::string& name, 
   auto at = mechanics::singularity_at(m, q, a.mobility(), length);
   if (!at) return std::nullopt;
   ExaminedPose p{name, coordinates_words(m, q), std::move(*at), std::nullopt};
+  // Six independent wrenches, and yet more freedoms than the limbs should leave: the rows of G are not all that hold the platform.
+  p.beyond_g = p.at.type == mechanics::SingularityType::constraint && p.at.ranks.wrenches == 6;
   p.determinant = p.at.conditioning.determinant, p.smallest = p.at.conditioning.smallest, p.condition = p.at.conditioning.condition();
   if (snap && !p.singular() && !a.singular_everywhere()) {
     p.snapped = mechanics::onto_surface(m, q, length);
@@ -66,12 +68,12 @@ document::Table pose_table(const std::vector<ExaminedPose>& poses) {
 
 // A margin of the constraints of all bodies at a sample, of that at home; NaN where there is none, or the mechanism has none of the kind.
 double share_of_home(const Analysis& a, BodyFreedoms::Margin which, int sample) {
-  const double home = a.margins().at_home[which], here = a.margins().at_sample[static_cast<std::size_t>(sample)][which];
+  if (a.margins().at_sample.empty()) return nan;  // an architecture that is singular everywhere is not followed
+  const double home = a.margins().sound[which], here = a.margins().at_sample[static_cast<std::size_t>(sample)][which];
   return std::isfinite(home) && home > 0 ? here / home : nan;
 }
 std::vector<double> shares_of_home(const Analysis& a, BodyFreedoms::Margin which) {
   std::vector<double> out(static_cast<std::size_t>(a.samples()), nan);
-  if (a.margins().at_sample.empty()) return out;  // an architecture that is singular everywhere is not followed
   for (int k = 0; k < a.samples(); ++k) out[static_cast<std::size_t>(k)] = share_of_home(a, which, k);
   return out;
 }
@@ -213,7 +215,7 @@ Result singularity_section(const Analysis& a, const SingularityOptions& r, const
     const std::string when = fmt::format("t = {} s", format_number(c.time, 7));
     auto p = examine(a, when, c.coordinates, length, false);
     std::string told = sentence(a, c);
-    if (p) p->beyond_g = c.what != Crossing::What::surface && c.what != Crossing::What::pole;
+    if (p) p->beyond_g = p->beyond_g || (c.what != Crossing::What::surface && c.what != Crossing::What::pole);
     if (p && p->singular() && !p->beyond_g) told += " It is of " + type_words(p->at.type) + ".";
     met.push_back(std::move(told));
     if (p) poses.push_back(std::move(*p));
@@ -272,12 +274,16 @@ Result singularity_section(const Analysis& a, const SingularityOptions& r, const
             show(std::abs(p.snapped->moved), c.unit, 2)));
       }
       if (p.singular() || (worst && p.name == worst->name)) tell(escape_words(a, p, length));
+      if (p.beyond_g)
+        tell(fmt::format("{}: G, which knows one body of the platform, keeps its rank there; the constraints of all bodies do not.",
+                         p.name));
     }
   }
   if (r.map && a.singular_everywhere()) tell("A map has nothing to show: every pose of it is singular.");
   if (r.map && !a.singular_everywhere()) {
     SingularityMap map = singularity_map(a, *r.map, length);
-    tell(fmt::format("Of {} poses of the map {} can be assembled; det G is negative at {} of them.", map.all, map.reachable, map.negative));
+    tell(fmt::format("Of {} poses of the map {} can be assembled; det G is negative at {} of them{}.", map.all, map.reachable, map.negative,
+                     map.singular > 0 ? fmt::format(", and zero, to rounding, at {}", map.singular) : ""));
     s.blocks.push_back(map.figure);
     out.data.push_back(std::move(map.data));
   }

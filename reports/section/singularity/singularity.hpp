@@ -31,7 +31,7 @@ struct ExaminedPose {
   mechanics::Singularity at;
   std::optional<mechanics::OnSurface> snapped;          // ranks and type are those of the singular pose that rounded numbers mean
   double determinant = 0, smallest = 0, condition = 0;  // at the numbers given
-  bool beyond_g = false;  // a loss that the constraints of the bodies tell, and G does not
+  bool beyond_g = false;                                // a loss that the constraints of the bodies tell, and G does not
   bool singular() const { return at.type != mechanics::SingularityType::regular; }
 };
 
@@ -46,7 +46,7 @@ mechanics::Screw escape_screw(const Topology& t, const ExaminedPose& p, double l
 struct SingularityMap {
   figure::Figure figure;
   document::Data data;
-  int reachable = 0, all = 0, negative = 0;
+  int reachable = 0, all = 0, negative = 0, singular = 0;
 };
 SingularityMap singularity_map(const Analysis& a, const MapOptions& request, double length);
 

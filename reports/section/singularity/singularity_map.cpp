@@ -39,7 +39,7 @@ SingularityMap singularity_map(const Analysis& a, const MapOptions& request, dou
 
   SingularityMap out;
   out.all = static_cast<int>(n * n);
-  out.reachable = grid.reachable, out.negative = grid.negative;
+  out.reachable = grid.reachable, out.negative = grid.negative, out.singular = grid.singular;
 
   figure::Axis axes[2];
   double per_si[2];

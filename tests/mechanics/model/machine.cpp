@@ -239,6 +239,53 @@ TEST_CASE("functions of a plugin that fail are told with what they were asked fo
   CHECK(refusal_of(empty_handed, {{0.4}, {0.1}}).sentence == "made no instance, though it reported success");
 }
 
+TEST_CASE("what a plugin says when it cannot give its Jacobian is not lost, and leaves no number that could be taken for one") {
+  pm_statics statics = *slider.statics;
+  statics.jacobian = [](const pm_instance*, pm_order, size_t, const double*, double*, pm_text* text) -> pm_status {
+    contract::say(text, "the lines meet in one point");
+    return PM_SINGULAR;
+  };
+  pm_mechanism silent = slider;
+  silent.statics = &statics;
+  const Machine machine(silent, {{0.4}, {0.1}});
+  const Jacobian g = machine.jacobian(machine.home_pose());
+  CHECK_FALSE(g.known());
+  CHECK(g.status == PM_SINGULAR);
+  CHECK(g.why == "the lines meet in one point");
+  CHECK(g.matrix.array().isNaN().all());
+
+  std::vector<double> placement(3 * machine.layout().size()), jets(108, 7.0);
+  CHECK(machine.jacobian(PM_JET, 1, placement.data(), jets.data()) == PM_SINGULAR);
+  for (const double x : jets) CHECK(std::isnan(x));
+
+  statics.jacobian = [](const pm_instance*, pm_order, size_t, const double*, double* out, pm_text*) -> pm_status {
+    std::fill_n(out, 36, 1.0);
+    out[7] = std::numeric_limits<double>::infinity();
+    return PM_OK;
+  };
+  CHECK(machine.jacobian(machine.home_pose()).status == PM_SINGULAR);
+  CHECK(machine.jacobian(machine.home_pose()).matrix.array().isNaN().all());
+}
+
+TEST_CASE("joints of a plugin of version 1.1, which know of no direction, count from home") {
+  static std::vector<unsigned char> bytes;
+  pm_kinematics kinematics = *slider.kinematics;
+  kinematics.topology = [](const pm_instance* instance, pm_topology* out, pm_text* text) -> pm_status {
+    const pm_status status = slider.kinematics->topology(instance, out, text);
+    constexpr std::size_t old = offsetof(pm_joint, from);
+    const auto* items = static_cast<const unsigned char*>(out->joints.items);
+    bytes.clear();
+    for (std::size_t i = 0; i < out->joints.count; ++i)
+      bytes.insert(bytes.end(), items + i * out->joints.stride, items + i * out->joints.stride + old);
+    out->joints = {bytes.data(), out->joints.count, old};
+    return status;
+  };
+  pm_mechanism older = slider;
+  older.kinematics = &kinematics;
+  const Machine machine(older, {{0.4}, {0.1}});
+  for (const Joint& j : machine.topology().joints) CHECK(j.from.isZero());
+}
+
 TEST_CASE("items of a newer plugin may be longer than ours") {
   struct LongerActuator {
     pm_actuator known;
