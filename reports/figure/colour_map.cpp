@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-#include <reports/figure/layout.hpp>
+#include <reports/figure/layout/layout.hpp>
 #include <reports/figure/surface.hpp>
 #include <reports/figure/text.hpp>
 

@@ -5,9 +5,9 @@
 
 #include <vector>
 
-#include <reports/figure/axis.hpp>
 #include <reports/figure/curve.hpp>
 #include <reports/figure/figure.hpp>
+#include <reports/figure/layout/axis.hpp>
 #include <reports/figure/palette.hpp>
 
 namespace pmreport::figure {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include <reports/figure/axis.hpp>
 #include <reports/figure/geometry.hpp>
+#include <reports/figure/layout/axis.hpp>
 
 namespace pmreport::figure {
 

@@ -1,7 +1,7 @@
 #include <reports/figure/draw.hpp>
 
-#include <reports/figure/layout.hpp>
-#include <reports/figure/offsets.hpp>
+#include <reports/figure/layout/layout.hpp>
+#include <reports/figure/layout/offsets.hpp>
 #include <reports/figure/surface.hpp>
 
 namespace pmreport::figure {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <reports/figure/layout.hpp>
+#include <reports/figure/layout/layout.hpp>
 #include <reports/figure/palette.hpp>
 #include <reports/figure/shading.hpp>
 #include <reports/figure/text.hpp>

@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include <reports/figure/embedding.hpp>
-#include <reports/figure/layout.hpp>
-#include <reports/figure/offsets.hpp>
+#include <reports/figure/layout/layout.hpp>
+#include <reports/figure/layout/offsets.hpp>
 
 namespace pmreport::figure {
 namespace {

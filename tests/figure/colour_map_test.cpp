@@ -6,9 +6,9 @@
 #include <functional>
 #include <limits>
 
-#include "reports/figure/layout.hpp"
+#include <tests/figure/samples.hpp>
+#include "reports/figure/layout/layout.hpp"
 #include "reports/figure/surface.hpp"
-#include "samples.hpp"
 
 using namespace pmreport::figure;
 

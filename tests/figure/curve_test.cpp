@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "samples.hpp"
+#include <tests/figure/samples.hpp>
 
 using namespace pmreport::figure;
 using samples::gap;

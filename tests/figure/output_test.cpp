@@ -16,8 +16,8 @@
 #include <set>
 #include <sstream>
 
+#include <tests/figure/samples.hpp>
 #include "reports/figure/surface.hpp"
-#include "samples.hpp"
 
 using namespace pmreport::figure;
 using samples::curve;

@@ -1,4 +1,4 @@
-#include <reports/figure/occupancy.hpp>
+#include <reports/figure/layout/occupancy.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Which part of the plane a panel shows.
 #pragma once
 
-#include <reports/figure/axis.hpp>
 #include <reports/figure/figure.hpp>
+#include <reports/figure/layout/axis.hpp>
 
 namespace pmreport::figure {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <reports/figure/figure.hpp>
-#include <reports/figure/occupancy.hpp>
+#include <reports/figure/layout/occupancy.hpp>
 
 namespace pmreport::figure {
 

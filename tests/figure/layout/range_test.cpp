@@ -1,10 +1,10 @@
-#include "reports/figure/range.hpp"
+#include "reports/figure/layout/range.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include <tests/figure/samples.hpp>
 #include "reports/figure/shading.hpp"
-#include "samples.hpp"
 
 using namespace pmreport::figure;
 using samples::curve;

@@ -1,11 +1,11 @@
 // Curves far apart that move little: what is drawn of them.
-#include "reports/figure/offsets.hpp"
+#include "reports/figure/layout/offsets.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "reports/figure/range.hpp"
-#include "samples.hpp"
+#include <tests/figure/samples.hpp>
+#include "reports/figure/layout/range.hpp"
 
 using namespace pmreport::figure;
 using samples::curve;

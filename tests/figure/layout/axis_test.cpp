@@ -1,4 +1,4 @@
-#include "reports/figure/axis.hpp"
+#include "reports/figure/layout/axis.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

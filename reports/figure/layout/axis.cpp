@@ -1,4 +1,4 @@
-#include <reports/figure/axis.hpp>
+#include <reports/figure/layout/axis.hpp>
 
 #include <fmt/format.h>
 

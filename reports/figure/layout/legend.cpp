@@ -1,4 +1,4 @@
-#include <reports/figure/legend.hpp>
+#include <reports/figure/layout/legend.hpp>
 
 #include <algorithm>
 #include <cmath>

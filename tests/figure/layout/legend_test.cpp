@@ -3,9 +3,9 @@
 #include <cmath>
 #include <random>
 
-#include "reports/figure/layout.hpp"
+#include <tests/figure/samples.hpp>
+#include "reports/figure/layout/layout.hpp"
 #include "reports/figure/surface.hpp"
-#include "samples.hpp"
 
 using namespace pmreport::figure;
 using samples::curve;

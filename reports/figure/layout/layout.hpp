@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include <reports/figure/axis.hpp>
 #include <reports/figure/colour_map.hpp>
 #include <reports/figure/curve.hpp>
 #include <reports/figure/draw.hpp>
 #include <reports/figure/geometry.hpp>
-#include <reports/figure/legend.hpp>
+#include <reports/figure/layout/axis.hpp>
+#include <reports/figure/layout/legend.hpp>
 
 namespace pmreport::figure {
 

@@ -1,4 +1,4 @@
-#include <reports/figure/offsets.hpp>
+#include <reports/figure/layout/offsets.hpp>
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include <reports/figure/range.hpp>
+#include <reports/figure/layout/range.hpp>
 
 namespace pmreport::figure {
 namespace {

@@ -1,4 +1,4 @@
-#include <reports/figure/range.hpp>
+#include <reports/figure/layout/range.hpp>
 
 #include <algorithm>
 #include <cmath>

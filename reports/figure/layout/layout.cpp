@@ -1,4 +1,4 @@
-#include <reports/figure/layout.hpp>
+#include <reports/figure/layout/layout.hpp>
 
 #include <algorithm>
 #include <cmath>

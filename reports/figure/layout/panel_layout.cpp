@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include <reports/figure/layout.hpp>
+#include <reports/figure/layout/layout.hpp>
+#include <reports/figure/layout/range.hpp>
 #include <reports/figure/palette.hpp>
-#include <reports/figure/range.hpp>
 #include <reports/figure/shading.hpp>
 #include <reports/figure/text.hpp>
 
