@@ -7,6 +7,7 @@
 #include <pmreport/parameter.hpp>
 #include <pmreport/partials.hpp>
 #include <pmreport/placement.hpp>
+#include <pmreport/recorded.hpp>
 #include <pmreport/topology.hpp>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include <exception>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace pmreport::contract {
@@ -175,8 +177,7 @@ struct Functions {
       case PM_PARTIALS:
         return sweep<Partials<double, M::dof>, Partials<Lanes, M::dof>>(count, f);
       case PM_EXTENDED:
-        for (std::size_t k = 0; k < count; ++k) f.template operator()<long double>(k);
-        return PM_OK;
+        throw std::invalid_argument("the recording serves extended precision");
       default:
         throw std::invalid_argument("unknown order of scalars");
     }
@@ -212,6 +213,26 @@ struct Functions {
     });
   }
 };
+
+// The geometry as a list of operations: `place` and `jacobian` on a scalar that writes down what is done with it.
+template <class M>
+pm_status record(const pm_instance* p, pm_recording* out, pm_text* text) noexcept {
+  return guard(text, [&] {
+    const Instance<M>& s = Functions<M>::self(p);
+    out->count = 0;
+    typename M::template Coordinates<Recorded> q;
+    for (std::size_t i = 0; i < q.size(); ++i) q[i] = Recorded::input(*out, static_cast<int>(i));
+    std::vector<double> numbers(s.layout.size() * Codec<Recorded>::components);
+    Placement<Recorded> at(numbers.data(), 1, s.layout);
+    s.mechanism.place(q, at);
+    const Matrix6<Recorded> g = s.mechanism.jacobian(Placement<Recorded>(std::as_const(numbers).data(), 1, s.layout));
+    std::int32_t* output = out->outputs;
+    for (std::size_t i = 0; i < s.layout.size(); ++i)
+      *output++ = Codec<Recorded>::load(numbers.data() + i * Codec<Recorded>::components, 1).step(*out);
+    for (int e = 0; e < 36; ++e) *output++ = g(e / 6, e % 6).step(*out);
+    return PM_OK;
+  });
+}
 
 // Mechanisms whose author brings matrices of the source, or readings.
 template <class M>
@@ -298,7 +319,8 @@ inline constexpr pm_mechanism mechanism{sizeof(pm_mechanism),
                                         &statics<M>,
                                         &dynamics<M>,
                                         &appearance<M>,
-                                        &ClosedForms<M>::table};
+                                        &ClosedForms<M>::table,
+                                        record<M>};
 
 template <class... M>
 inline constexpr std::array<const pm_mechanism*, sizeof...(M)> mechanisms{&mechanism<M>...};

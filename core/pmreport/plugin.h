@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 #define PM_ABI_MAJOR 1u
-#define PM_ABI_MINOR 2u
+#define PM_ABI_MINOR 3u
 
 /* ---- Vocabulary ------------------------------------------------------------------------------------------------------------------- */
 
@@ -163,7 +163,8 @@ enum {
   PM_VALUE = 0,    /* 1 component */
   PM_JET = 1,      /* 3: value, rate, acceleration in time; coordinates come with theirs */
   PM_PARTIALS = 2, /* 1 + dof: value and its derivatives by the independent coordinates; coordinates come as plain values */
-  PM_EXTENDED = 3  /* 2: high and low part, whose sum is the value in extended precision; coordinates likewise */
+  PM_EXTENDED = 3  /* 2: high and low part, whose sum is the value in extended precision; coordinates likewise. Not asked of a mechanism
+                      that records (since 1.3): the host runs the recording in extended precision */
 };
 
 typedef struct pm_kinematics {
@@ -243,6 +244,49 @@ typedef struct pm_closed_forms {
   pm_status (*read)(const pm_instance*, const double* coordinates, const double* placement, double* out, pm_text* message);
 } pm_closed_forms;
 
+/* ---- RECORDED GEOMETRY: the same once more, as a list of operations (since 1.3, optional) --------------------------------------------- */
+
+/* One operation on numbers that earlier steps gave. A mask, what a comparison gives, is a number too: one where it holds, else zero. */
+typedef int32_t pm_operation;
+enum {
+  PM_OP_CONSTANT = 0, /* `constant`, finite */
+  PM_OP_INPUT = 1,    /* independent coordinate `a` */
+  PM_OP_ADD = 2,      /* a + b; likewise below: a, b, c are the numbers of steps */
+  PM_OP_SUBTRACT = 3,
+  PM_OP_MULTIPLY = 4,
+  PM_OP_DIVIDE = 5,
+  PM_OP_NEGATE = 6, /* -a; so of one operand are those to PM_OP_ABS */
+  PM_OP_SQRT = 7,
+  PM_OP_SIN = 8,
+  PM_OP_COS = 9,
+  PM_OP_TAN = 10,
+  PM_OP_ASIN = 11,
+  PM_OP_ACOS = 12,
+  PM_OP_ABS = 13,
+  PM_OP_ATAN2 = 14,  /* atan2(a, b) */
+  PM_OP_HYPOT = 15,  /* hypot(a, b) */
+  PM_OP_LESS = 16,   /* mask: a < b */
+  PM_OP_AND = 17,    /* masks: a and b */
+  PM_OP_OR = 18,     /* a or b */
+  PM_OP_NOT = 19,    /* not a */
+  PM_OP_CHOOSE = 20, /* b where the mask a holds, else c */
+  PM_OP_COUNT = 21
+};
+typedef struct pm_step {
+  pm_operation operation;
+  int32_t a, b, c; /* earlier steps; of PM_OP_INPUT the coordinate */
+  double constant;
+} pm_step;
+
+/* The host's list, which `record` fills. */
+typedef struct pm_recording {
+  size_t struct_size;
+  pm_step* steps;
+  size_t capacity;
+  size_t count;     /* of the steps; those beyond `capacity` are counted, and not written */
+  int32_t* outputs; /* the step that gives each number: the scalars of a placement of order PM_VALUE, then the 36 of the overall Jacobian */
+} pm_recording;
+
 /* ---- How it looks ----------------------------------------------------------------------------------------------------------------- */
 
 typedef int32_t pm_shape_kind;
@@ -281,6 +325,9 @@ typedef struct pm_mechanism {
   const pm_dynamics* dynamics;
   const pm_appearance* appearance;     /* may be NULL */
   const pm_closed_forms* closed_forms; /* may be NULL; since 1.1 */
+  /* Since 1.3; may be NULL. Writes down what `place`, and `jacobian` of that placement, do with the coordinates: the same operations whatever
+     these are, so that the host can run them on other kinds of numbers. The same list at every call. */
+  pm_status (*record)(const pm_instance*, pm_recording*, pm_text* message);
 } pm_mechanism;
 
 typedef struct pm_plugin_table {

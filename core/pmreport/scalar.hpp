@@ -1,7 +1,8 @@
 // What every scalar of the geometry must do, and Eigen's view of it.
 //
-// The geometry of a mechanism is written once, as templates over a scalar T: double, long double, Jet (rates and accelerations in time),
-// Partials (derivatives by the independent coordinates), Lanes (several poses at once), and Jet or Partials of Lanes. A scalar offers
+// The geometry of a mechanism is written once, as templates over a scalar T: double, Jet (rates and accelerations in time), Partials
+// (derivatives by the independent coordinates), Lanes (several poses at once), Jet or Partials of Lanes, and Recorded, which writes down
+// what is done with it and so serves every other kind of number. A scalar offers
 // + - * /, sqrt, sin, cos, tan, asin, acos, atan2, hypot, abs, and choose(mask, a, b) where a comparison yields the mask.
 // Keep constants plain: `2.0 * x`, not `T(2.0) * x`; for a Jet that is a third of the work.
 #pragma once

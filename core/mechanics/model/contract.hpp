@@ -50,4 +50,8 @@ inline const pm_closed_forms* closed_forms_of(const pm_mechanism& table) {
   return table.struct_size >= offsetof(pm_mechanism, closed_forms) + sizeof(table.closed_forms) ? table.closed_forms : nullptr;
 }
 
+inline bool records(const pm_mechanism& table) {
+  return table.struct_size >= offsetof(pm_mechanism, record) + sizeof(table.record) && table.record != nullptr;
+}
+
 }  // namespace pmreport::mechanics::contract

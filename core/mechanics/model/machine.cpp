@@ -2,6 +2,7 @@
 
 #include <core/assertion.hpp>
 #include <core/mechanics/model/contract.hpp>
+#include <core/mechanics/model/geometry_recorder.hpp>
 #include <core/mechanics/model/inertia_check.hpp>
 #include <core/mechanics/model/topology_check.hpp>
 #include <core/mechanics/model/topology_reader.hpp>
@@ -10,7 +11,12 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <core/program/evaluate.hpp>
 #include <limits>
+#include <mutex>
+#include <numeric>
+#include <optional>
+#include <pmreport/placement.hpp>
 
 namespace pmreport::mechanics {
 
@@ -43,7 +49,15 @@ ParameterValues default_values(const MechanismInfo& info) {
   return values;
 }
 
-Machine::Machine(const pm_mechanism& table, ParameterValues values) : table_(&table), info_(describe(table)), values_(std::move(values)) {
+struct Machine::Recording {
+  std::once_flag made;
+  std::optional<program::Program> program;
+  program::Program placement;  // the same without G
+  std::string why;
+};
+
+Machine::Machine(const pm_mechanism& table, ParameterValues values)
+    : table_(&table), info_(describe(table)), values_(std::move(values)), recording_(std::make_unique<Recording>()) {
   check(info_.parameters, values_);
   std::vector<pm_value> spans;
   for (const auto& v : values_) spans.push_back({v.data(), v.size()});
@@ -116,10 +130,49 @@ std::size_t Machine::components(pm_order order) const {
   }
 }
 
+const program::Program* Machine::program(std::string* why) const {
+  std::call_once(recording_->made, [this] {
+    try {
+      recording_->program = record_geometry(*table_, instance_, info_.dof, layout_.size() + 36);
+      std::vector<int> placed(layout_.size());
+      std::iota(placed.begin(), placed.end(), 0);
+      recording_->placement = recording_->program->slice(placed);
+    } catch (const program::ProgramError& e) {
+      recording_->why = e.what();
+    }
+  });
+  if (recording_->program) return &*recording_->program;
+  if (why != nullptr) *why = recording_->why;
+  return nullptr;
+}
+
 pm_status Machine::place(pm_order order, std::size_t count, const double* coordinates, double* placement, std::string* why) const {
+  if (order == PM_EXTENDED && program() != nullptr) return place_extended(count, coordinates, placement, why);
   const auto ask = [&](pm_text* text) { return table_->kinematics->place(instance_, order, count, coordinates, placement, text); };
   const pm_status status = why == nullptr ? ask(nullptr) : call(*why, ask);
   if (status != PM_OK || count != 1) return status;
+  return finite_or_singular(order, placement, why);
+}
+
+pm_status Machine::place_extended(std::size_t count, const double* coordinates, double* placement, std::string* why) const {
+  const program::Program& geometry = recording_->placement;
+  program::Evaluator<long double> evaluator(geometry);
+  std::vector<long double> in(static_cast<std::size_t>(info_.dof)), out(layout_.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t i = 0; i < in.size(); ++i) in[i] = Codec<long double>::load(coordinates + 2 * i * count + k, count);
+    evaluator.run(in, out);
+    for (std::size_t i = 0; i < out.size(); ++i) Codec<long double>::store(placement + 2 * i * count + k, count, out[i]);
+  }
+  if (count != 1) return PM_OK;
+  if (placement[0] < 0) {
+    if (why != nullptr) *why = "out of reach";
+    return PM_UNREACHABLE;
+  }
+  return finite_or_singular(PM_EXTENDED, placement, why);
+}
+
+// Of one pose.
+pm_status Machine::finite_or_singular(pm_order order, const double* placement, std::string* why) const {
   // A sum is finite only when no term is NaN or infinite.
   const Eigen::Map<const Eigen::ArrayXd> numbers(placement, static_cast<Eigen::Index>(layout_.size() * components(order)));
   if ((0.0 * numbers).sum() == 0) return PM_OK;

@@ -14,6 +14,10 @@
 #include <string>
 #include <vector>
 
+namespace pmreport::program {
+class Program;
+}
+
 namespace pmreport::mechanics {
 
 struct ParameterInfo {
@@ -90,10 +94,14 @@ class Machine {
   // each one's reach, negative then, is the first scalar of its placement, and the numbers of such a pose mean nothing.
   pm_status place(pm_order order, std::size_t count, const double* coordinates, double* placement, std::string* why = nullptr) const;
   // The plugin's overall Jacobian G of a placement that is in reach: 36 scalars a pose, row-major, G V = (actuator rates, 0), V the twist
-  // of the platform about its reference point. A row of an actuator has [m/s] or [rad/s] by [m/s, rad/s]. Not finite, or PM_SINGULAR, where
-  // G has no value: on some singular surfaces. All NaN when the answer is not PM_OK.
+  // of the platform about its reference point. Not of PM_EXTENDED. A row of an actuator has [m/s] or [rad/s] by [m/s, rad/s]. Not finite,
+  // or PM_SINGULAR, where G has no value: on some singular surfaces. All NaN when the answer is not PM_OK.
   pm_status jacobian(pm_order order, std::size_t count, const double* placement, double* jacobian, std::string* why = nullptr) const;
   std::size_t components(pm_order order) const;  // doubles per scalar
+
+  // The geometry as a program: inputs the coordinates; outputs the numbers of a placement, as of layout(), then the 36 of G. Made when
+  // first asked for, by whatever thread. nullptr: there is none; `why` then gets a sentence.
+  const program::Program* program(std::string* why = nullptr) const;
 
   // The matrices of the source, in the order of topology().matrices; none where the plugin brings none, or gives none at this pose.
   std::vector<Eigen::MatrixXd> matrices(std::span<const double> coordinates, const Pose& pose) const;
@@ -104,6 +112,9 @@ class Machine {
   std::unique_ptr<Machine> with(ParameterValues values) const { return std::make_unique<Machine>(*table_, std::move(values)); }
 
  private:
+  pm_status place_extended(std::size_t count, const double* coordinates, double* placement, std::string* why) const;
+  pm_status finite_or_singular(pm_order order, const double* placement, std::string* why) const;
+
   const pm_mechanism* table_;
   MechanismInfo info_;
   ParameterValues values_;
@@ -111,6 +122,8 @@ class Machine {
   Topology topology_;
   Layout layout_;
   Pose home_pose_;
+  struct Recording;
+  std::unique_ptr<Recording> recording_;
 };
 
 }  // namespace pmreport::mechanics

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <core/program/bounds.hpp>
 #include <functional>
 #include <string>
 #include <vector>
@@ -10,6 +11,13 @@ namespace pmreport::mechanics {
 
 // Coordinates, or actuators, at a time [s], with their rates and accelerations, each dof long, SI. False where there are none.
 using Path = std::function<bool(double t, double* value, double* rate, double* acceleration)>;
+
+// Coordinates, or actuators, over a span of time [s]: bounds that hold at every instant of it, rounding included. dof long, SI. Where a
+// value jumps within, or at an end, both sides are in. False where nothing is known.
+struct Bounded {
+  program::Bounds value, rate, acceleration;
+};
+using Enclosure = std::function<bool(program::Bounds time, Bounded* out)>;
 
 // A prescribed motion that is not smooth: the lowest of its derivatives that jumps at a time.
 struct Break {
@@ -22,7 +30,8 @@ struct Break {
 struct Trajectory {
   std::vector<double> time;                   // [s], rising; empty: there is no motion
   Eigen::MatrixXd value, rate, acceleration;  // one row a sample, one column an independent coordinate, SI; NaN: no pose
-  Path at;  // the same at any time from the first sample to the last; safe in threads. The machine that it was solved for must live
+  Path at;         // the same at any time from the first sample to the last; safe in threads. The machine that it was solved for must live
+  Enclosure over;  // of prescribed coordinates: the same over spans of time; safe in threads. Else none
   // Of a prescribed motion, inside it, rising: times at which a derivative may jump, however high, and the breaks among them.
   std::vector<double> knots;
   std::vector<Break> breaks;

@@ -37,6 +37,9 @@ struct Law {
   std::vector<double> steps = {};     // rising: between two neighbours a handful of points show all that it does
   std::vector<Switch> switches = {};  // inside, rising: where a derivative may jump
   std::vector<mechanics::Break> breaks = {};
+  // The same over a span of time, within the motion: bounds at every instant, both sides of a switch in, rounding included. Not bounded
+  // where nothing is known.
+  std::function<mechanics::Bounded(program::Bounds)> over = {};
 };
 // Which of its switches are breaks: the law is taken on both sides, and what differs by more than its rounding jumps; by infinity, where a
 // derivative grows beyond all bounds.

@@ -17,6 +17,7 @@ using ActuatorForces = std::function<void(double t, const std::vector<mechanics:
 struct MotionRequest {
   enum class By { coordinates, actuators, forces } by = By::coordinates;
   mechanics::Path prescribed;      // of the coordinates, or of the actuators; none by forces
+  mechanics::Enclosure over;       // the same over spans of time; none by forces
   std::vector<double> steps;       // rising: between two neighbours a handful of points show all that it does; none by forces
   ActuatorForces forces;           // by forces
   double end = 0;                  // when the motion should end [s]
