@@ -54,13 +54,17 @@ class Rules {
       case Operation::hypot:  // (a a' + b b') / v
         return sum(product(quotient_by(s.a, v), da), product(quotient_by(s.b, v), db));
       case Operation::atan2:  // of (b, a): (b a' - a b') / (a^2 + b^2)
-        return sum(product(product(b, by_radius(s)), da), minus(product(product(a, by_radius(s)), db)));
+        return uncut(s, sum(product(product(b, by_radius(s)), da), minus(product(product(a, by_radius(s)), db))));
       case Operation::min:
         return chosen(list_.add(Operation::less, s.a, s.b), da, db);
       case Operation::max:
         return chosen(list_.add(Operation::less, s.a, s.b), db, da);
       case Operation::choose:
-        return chosen(s.a, db, dc);
+        return settled(s.a, chosen(s.a, db, dc));
+      case Operation::settled:
+        return settled(s.a, db);
+      case Operation::uncut:
+        return uncut(s, dc);
       default:
         return da.is_zero() ? Multiple() : product(slope(s, v), da);
     }
@@ -140,6 +144,13 @@ class Rules {
     const auto branch = [&](const Multiple& z) { return written({z.step, z.factor / factor}); };
     const int first = branch(x);
     return {list_.add(Operation::choose, mask, first, branch(y)), factor};
+  }
+
+  // The derivatives of what may jump.
+  Multiple settled(int mask, const Multiple& x) { return {list_.add(Operation::settled, mask, written({x.step, 1})), x.factor}; }
+  Multiple uncut(const Step& s, const Multiple& x) {
+    if (x.is_zero()) return {};
+    return {list_.add(Operation::uncut, s.a, s.b, x.step), x.factor};
   }
 
   // 1 / b; and x / b by it.

@@ -124,6 +124,13 @@ struct BasicInterval {
                    where_else(mask.yes, a.high, where_else(mask.no, b.high, either.high)));
   }
 
+  // Derivatives of what may jump: of a choice, and of the angle of (x, y), which does where y changes its sign and x is not above zero.
+  friend BasicInterval settled(const Mask& mask, const BasicInterval& derivative) { return where(mask.yes || mask.no, derivative); }
+  friend BasicInterval uncut(const BasicInterval& y, const BasicInterval& x, const BasicInterval& derivative) {
+    const S zero(0.0);
+    return where((x.negative_low < zero || y.negative_low < zero || y.high < zero) && both_bounded(x, y), derivative);
+  }
+
   // All numbers of both.
   friend BasicInterval hull(const BasicInterval& a, const BasicInterval& b) {
     return of_ends(most(a.negative_low, b.negative_low), most(a.high, b.high));

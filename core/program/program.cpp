@@ -12,7 +12,7 @@ namespace {
 struct Form {
   const char* name;
   int operands;
-  bool of_masks;  // its operands are masks; of choose the first alone
+  bool of_masks;  // its operands are masks; of choose and settled the first alone
   bool mask;      // its value is one
 };
 constexpr Form forms[] = {
@@ -22,9 +22,10 @@ constexpr Form forms[] = {
     {"acos", 1, false, false},     {"abs", 1, false, false},    {"atan2", 2, false, false},  {"hypot", 2, false, false},
     {"less", 2, false, true},      {"both", 2, true, true},     {"either", 2, true, true},   {"opposite", 1, true, true},
     {"choose", 3, true, false},    {"square", 1, false, false}, {"min", 2, false, false},    {"max", 2, false, false},
+    {"settled", 2, true, false},   {"uncut", 3, false, false},
 };
 constexpr std::size_t operations = std::size(forms);
-static_assert(operations == static_cast<std::size_t>(Operation::max) + 1);
+static_assert(operations == static_cast<std::size_t>(Operation::uncut) + 1);
 
 const Form& form(Operation o) { return forms[static_cast<std::size_t>(o)]; }
 
@@ -38,7 +39,8 @@ void demand_sound(const Step& s, std::size_t number, std::span<const Step> befor
   const int operands[] = {s.a, s.b, s.c};
   for (int k = 0; k < form(s.operation).operands; ++k) {
     if (operands[k] < 0 || static_cast<std::size_t>(operands[k]) >= number) wrong("an operation on a step that is not before it");
-    const bool mask = form(s.operation).of_masks && (s.operation != Operation::choose || k == 0);
+    const bool first_alone = s.operation == Operation::choose || s.operation == Operation::settled;
+    const bool mask = form(s.operation).of_masks && (!first_alone || k == 0);
     if (gives_mask(before[static_cast<std::size_t>(operands[k])].operation) != mask)
       wrong(mask ? "a number in the place of a comparison" : "a comparison in the place of a number");
   }

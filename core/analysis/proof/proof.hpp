@@ -76,9 +76,10 @@ struct MotionProof {
 };
 
 struct ProofOptions {
-  int most_intervals = 20000;  // on the whole
-  double finest = 1e-7;        // [s]: no interval is halved that is shorter
-  double bracket = 1e-6;       // of the range of a quantity: how near its brackets' ends come
+  int most_intervals = 20000;              // on the whole
+  double finest = 1e-7;                    // [s]: no interval is halved that is shorter
+  double bracket = 1e-6;                   // of the range of a quantity: how near its brackets' ends come
+  double bracket_of_accelerations = 1e-3;  // the same of accelerations, whose own rates are not followed: theirs come near more slowly
 };
 
 // Of a motion by coordinates, waypoints or file, by the bounds of its trajectory (`over`); of one by actuators, by those of the actuators,
