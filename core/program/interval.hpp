@@ -62,7 +62,7 @@ struct BasicInterval {
   }
   S width() const { return negative_low + high; }
   S magnitude() const { return most(negative_low, high); }                                        // the largest |x|
-  S mignitude() const { return most(S(0.0), most(S(-negative_low), S(-high))); }                  // the least
+  S mignitude() const { return most(S(0.0), -least(negative_low, high)); }                        // the least
   S middle() const { return where_else(is_bounded(), 0.5 * high - 0.5 * negative_low, S(0.0)); }  // inside
 
   BasicInterval operator-() const { return of_ends(high, negative_low); }

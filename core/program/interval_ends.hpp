@@ -38,7 +38,7 @@ constexpr double hyperbolic_ulps = 4;
 // less than 2^-1022. `exact`: v is what it should be.
 inline double outward(double v, double ulps, bool exact = false) {
   constexpr double unit = std::numeric_limits<double>::epsilon(), least = std::numeric_limits<double>::min();
-  return exact ? v : v + (std::abs(v) * (ulps * unit) + least);
+  return exact ? v : v + (std::abs(v) * (ulps * unit) + ulps * least);
 }
 
 // f rises; it is zero at zero, and there exact.
