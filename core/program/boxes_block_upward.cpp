@@ -90,6 +90,14 @@ void run_step(const BoxInstruction& i, const BoxRegisters& r, std::size_t boxes)
       return each(i, r, boxes, [](const double* a, const double* b, const double* c, std::size_t pitch, std::size_t k) {
         return choose(mask_at(a, pitch, k), interval_at(b, pitch, k), interval_at(c, pitch, k));
       });
+    case Operation::settled:
+      return each(i, r, boxes, [](const double* a, const double* b, const double*, std::size_t pitch, std::size_t k) {
+        return settled(mask_at(a, pitch, k), interval_at(b, pitch, k));
+      });
+    case Operation::uncut:
+      return each(i, r, boxes, [](const double* a, const double* b, const double* c, std::size_t pitch, std::size_t k) {
+        return uncut(interval_at(a, pitch, k), interval_at(b, pitch, k), interval_at(c, pitch, k));
+      });
     default:
       return run_function(i, r, boxes);
   }
