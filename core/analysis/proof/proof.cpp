@@ -12,8 +12,8 @@ const Extreme* MotionProof::extreme(const ColumnId& column) const {
   return found != extremes.end() ? &*found : nullptr;
 }
 
-MotionProof prove_motion(const mechanics::Machine& machine, const mechanics::Trajectory& trajectory, const mechanics::Enclosure& actuators,
-                         const ProofOptions& options) {
+MotionProof prove_motion(const mechanics::Machine& machine, const mechanics::Trajectory& trajectory,
+                         const mechanics::Enclosure& /*actuators*/, const ProofOptions& options) {
   MotionProof out;
   if (trajectory.samples() < 2) {
     out.unexamined = "there is no motion";

@@ -8,6 +8,7 @@
 #include <core/program/bounds.hpp>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pmreport::analysis {
@@ -69,7 +70,7 @@ struct MotionProof {
   double resolution = 0;      // [s]: how finely begins and ends are told, at best
   std::vector<Claim> claims;  // assembled; strokes in order; limits of joints in order; regular
   std::vector<Meeting> meetings;
-  std::vector<Extreme> extremes;  // of coordinates, derived quantities, actuators, their rates and accelerations, limited joints
+  std::vector<Extreme> extremes;  // of coordinates and actuators, their rates and accelerations; derived quantities and their rates; joints
 
   // The bracket of a column's extremes; nullptr: there is none.
   const Extreme* extreme(const ColumnId& column) const;
@@ -78,8 +79,12 @@ struct MotionProof {
 struct ProofOptions {
   int most_intervals = 20000;              // on the whole
   double finest = 1e-7;                    // [s]: no interval is halved that is shorter
-  double bracket = 1e-6;                   // of the range of a quantity: how near its brackets' ends come
-  double bracket_of_accelerations = 1e-3;  // the same of accelerations, whose own rates are not followed: theirs come near more slowly
+  double bracket = 1e-6;                   // of the range of a quantity: how near the ends of its brackets come
+  double bracket_of_joints = 1e-4;         // the same of the motions of joints
+  double bracket_of_accelerations = 1e-2;  // the same of accelerations, whose own rates are not followed: theirs come near more slowly
+  long most_for_accelerations = 2000;      // evaluations: their brackets end where these do
+  // Values that brackets should tell from the extremes of their columns, as far as rounding lets them.
+  std::vector<std::pair<ColumnId, double>> decide = {};
 };
 
 // Of a motion by coordinates, waypoints or file, by the bounds of its trajectory (`over`); of one by actuators, by those of the actuators,

@@ -25,18 +25,21 @@ class Prover {
     Bounds time;
     const InstantFacts *begin = nullptr, *middle = nullptr, *end = nullptr;
     SpanFacts facts;
-    std::vector<int> open;  // claims
+    std::vector<int> open;   // claims
+    bool assembled = false;  // at every instant of it
   };
 
   std::vector<Leaf> first_spans();
   double cut(Bounds time) const;
   std::pair<Leaf, Leaf> halves(Leaf&& leaf) const;
-  void look(std::vector<Leaf>& leaves);
+  void look(Look look, std::vector<Leaf>& leaves);
+  bool divisible(const Leaf& leaf) const;
+  void close(const Leaf& leaf, int claim, Judgement judged);
   bool judge_all(Leaf& leaf);
   bool spent(std::size_t more) const;
   void settle_claims();
-  void find_extremes(MotionProof& out);
-  void refine(std::vector<Leaf>& leaves, const std::vector<bool>& chosen);
+  std::vector<Extreme> extremes();
+  void halve(const std::vector<bool>& chosen);
 
   const mechanics::Machine& machine_;
   Quantities quantities_;

@@ -6,13 +6,14 @@ Quantities::Quantities(const mechanics::Machine& machine, const mechanics::Motio
   const Topology& t = machine.topology();
   const Layout& layout = machine.layout();
   all.push_back({});
-  // Value, rate and acceleration, one after the other.
+  // Value, rate and acceleration, one after the other. Accelerations are dear, for their own rates are not known: those of coordinates come
+  // with the motion, and those of actuators are asked for.
   const auto add_moved = [&](Quantity::Of of, std::size_t count, auto&& output) {
     for (std::size_t i = 0; i < count; ++i)
       for (const OfMotion order : {OfMotion::value, OfMotion::rate, OfMotion::acceleration}) {
-        const int next = static_cast<int>(all.size()) + 1;
-        all.push_back({of, static_cast<int>(i), 0, order, order == OfMotion::acceleration ? -1 : next, output(static_cast<int>(i))});
-        if (of == Quantity::Of::actuator && order == OfMotion::value) actuators.push_back(next - 1);
+        if (of == Quantity::Of::derived && order == OfMotion::acceleration) continue;
+        if (of == Quantity::Of::actuator && order == OfMotion::value) actuators.push_back(static_cast<int>(all.size()));
+        all.push_back({of, static_cast<int>(i), 0, order, output(static_cast<int>(i))});
       }
   };
   add_moved(Quantity::Of::coordinate, t.coordinates.size(), [](int) { return std::size_t{0}; });
@@ -20,7 +21,7 @@ Quantities::Quantities(const mechanics::Machine& machine, const mechanics::Motio
   add_moved(Quantity::Of::actuator, t.actuators.size(), [&](int i) { return layout.actuator(i); });
   for (const mechanics::MotionProgram::JointMotion& j : program.joints) {
     joints.push_back(static_cast<int>(all.size()));
-    all.push_back({Quantity::Of::joint, j.joint, j.limit, OfMotion::value, -1, j.output});
+    all.push_back({Quantity::Of::joint, j.joint, j.limit, OfMotion::value, j.output});
   }
 }
 

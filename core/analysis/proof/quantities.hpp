@@ -13,8 +13,7 @@ namespace pmreport::analysis {
 struct Quantity {
   enum class Of { reach, coordinate, derived, actuator, joint } of = Of::reach;
   int index = 0, part = 0;           // which of them; of a joint: which limit
-  OfMotion order = OfMotion::value;  // of coordinates, derived quantities and actuators all three are followed
-  int rate = -1;                     // the quantity that is its rate; -1: it is not followed
+  OfMotion order = OfMotion::value;  // of coordinates and actuators all three are followed, of derived quantities two
   std::size_t output = 0;            // of the mechanism's program: the value that this is, or is the rate or acceleration of
 };
 

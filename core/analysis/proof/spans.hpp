@@ -13,6 +13,7 @@
 #include <core/mechanics/trajectory/trajectory.hpp>
 #include <core/program/bounds.hpp>
 #include <core/program/boxes.hpp>
+#include <core/program/derivative.hpp>
 
 #include <array>
 #include <span>
@@ -24,15 +25,17 @@ using program::Bounds;
 
 struct InstantFacts {
   double time = 0;
-  bool placed = false;              // it is assembled as far as finite numbers tell: all of the geometry has them
+  bool assembled = false;           // for certain: the reach is not negative, and all of the geometry has finite numbers
   int side = 0;                     // the sign of det G, where it is certain
   std::vector<Bounds> value;        // of each quantity
   std::array<Bounds, 36> wrenches;  // G, by rows
 };
+// How much is looked at: for claims all; for extremes the quantities alone, the reach not among them, where it is known that the mechanism
+// can be assembled.
+enum class Look { whole, quantities };
 struct SpanFacts {
   Bounds time;
-  double middle = 0;
-  bool placed = false;           // at every instant
+  bool placed = false;           // all of the geometry has finite numbers, at every instant
   bool finite_wrenches = false;  // all of G is bounded
   bool regular = false;          // det G is not zero at any instant
   std::vector<Bounds> value;     // of each quantity
@@ -43,25 +46,34 @@ struct SpanFacts {
 class Spans {
  public:
   Spans(const mechanics::Machine& machine, const mechanics::MotionProgram& program, const Quantities& quantities,
-        const mechanics::Enclosure& motion);
+        const mechanics::Enclosure& motion)
+      : Spans(machine, program, program::in_time(program.program, 2), quantities, motion) {}
 
-  void at(std::span<const double> times, std::span<InstantFacts> out);
+  void at(Look look, std::span<const double> times, std::span<InstantFacts> out);
   // `middles`: the facts at an instant in each span, about its middle; (1) and (2) count from there.
-  void over(std::span<const Bounds> times, std::span<const InstantFacts* const> middles, std::span<SpanFacts> out);
+  void over(Look look, std::span<const Bounds> times, std::span<const InstantFacts* const> middles, std::span<SpanFacts> out);
 
   long evaluations() const { return evaluations_; }
 
  private:
+  Spans(const mechanics::Machine& machine, const mechanics::MotionProgram& program, const program::Program& moving,
+        const Quantities& quantities, const mechanics::Enclosure& motion);
   // Where values, rates and accelerations of an output are in a program; none: -1.
   struct Places {
     std::vector<int> value, rate, acceleration;
   };
   struct Timed {
-    program::Program program;
     Places of;  // by the mechanism's outputs
+    std::size_t outputs;
+    program::Boxes boxes;
   };
-  Timed timed(const mechanics::MotionProgram& program, bool all_rates) const;
-  void inputs(Bounds time, std::size_t k, std::size_t count);
+  Timed timed(const program::Program& moving, Look look, bool all_rates) const;
+  struct Pair {
+    Timed at_instants, over_spans;
+  };
+  Pair& pair_for(Look look) { return look == Look::whole ? whole_ : lean_; }
+  void run(Timed& timed, std::size_t count, auto&& time_of);
+  bool placed(const Places& of, std::size_t k, std::size_t count) const;
   bool without_singular(std::span<const Bounds, 36> wrenches, const linear::Matrix6d& middle) const;
   void gather(const Places& of, std::size_t k, std::size_t count, std::vector<Bounds>& value, std::vector<Bounds>& rate) const;
 
@@ -69,12 +81,10 @@ class Spans {
   const Quantities& quantities_;
   const mechanics::Enclosure& motion_;
   std::size_t dof_, placed_, wrenches_;  // coordinates; outputs that place; the first of G
-  double per_length_;                    // a power of two, so that scaling by it is exact
-  double length_;
-  Timed instant_, span_;
-  program::Boxes at_instants_, over_spans_;
+  double length_, per_length_;           // per_length_: a power of two, so that scaling by it is exact
+  Pair whole_, lean_;
   std::vector<mechanics::Bounded> moved_;
-  std::vector<Bounds> in_, out_;
+  std::vector<Bounds> in_, out_, unused_;
   long evaluations_ = 0;
 };
 
