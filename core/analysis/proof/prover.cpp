@@ -195,7 +195,8 @@ std::vector<Extreme> Prover::extremes() {
         exhausted_ = true;
         break;
       }
-      if (stage == ExtremeSearch::Stage::accelerations && spans_.evaluations() - begun > options_.most_for_accelerations) break;
+      const long after = spans_.evaluations() - begun + 4 * static_cast<long>(many);  // two halves each, and their middles
+      if (stage == ExtremeSearch::Stage::accelerations && after > options_.most_for_accelerations) break;
       halve(chosen);
     }
   }
