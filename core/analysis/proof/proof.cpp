@@ -1,6 +1,7 @@
 #include <core/analysis/proof/proof.hpp>
 
 #include <core/analysis/proof/prover.hpp>
+#include <core/analysis/proof/recording_check.hpp>
 #include <core/mechanics/recorded/motion_program.hpp>
 
 #include <algorithm>
@@ -23,6 +24,7 @@ MotionProof prove_motion(const mechanics::Machine& machine, const mechanics::Tra
   out.end = trajectory.time.back();
   const auto program = mechanics::motion_program(machine, &out.unexamined);
   if (!program) return out;
+  out.recording = recording_deviation(machine, trajectory);
   if (!trajectory.over) {
     out.unexamined = "the motion follows from forces, by an integration whose error has no bound";
     return out;

@@ -7,6 +7,7 @@
 #include <core/mechanics/trajectory/trajectory.hpp>
 #include <core/program/bounds.hpp>
 
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,13 +63,15 @@ struct Extreme {
 };
 
 struct MotionProof {
-  std::string unexamined;     // why nothing was looked at; empty: it was
-  double begin = 0, end = 0;  // [s]
-  int intervals = 0;          // of time, that the motion was cut into in the end
-  long evaluations = 0;       // of the geometry on an interval
-  bool exhausted = false;     // the bound on intervals was reached, and some claims are undecided for it
-  double resolution = 0;      // [s]: how finely begins and ends are told, at best
-  std::vector<Claim> claims;  // assembled; strokes in order; limits of joints in order; regular
+  std::string unexamined;                                       // why nothing was looked at; empty: it was
+  double recording = std::numeric_limits<double>::quiet_NaN();  // how far what was recorded is from what the plugin computes, relative, at
+                                                                // samples; NaN: not compared
+  double begin = 0, end = 0;                                    // [s]
+  int intervals = 0;                                            // of time, that the motion was cut into in the end
+  long evaluations = 0;                                         // of the geometry on an interval
+  bool exhausted = false;                                       // the bound on intervals was reached, and some claims are undecided for it
+  double resolution = 0;                                        // [s]: how finely begins and ends are told, at best
+  std::vector<Claim> claims;                                    // assembled; strokes in order; limits of joints in order; regular
   std::vector<Meeting> meetings;
   std::vector<Extreme> extremes;  // of coordinates and actuators, their rates and accelerations; derived quantities and their rates; joints
 
