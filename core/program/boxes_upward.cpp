@@ -13,7 +13,9 @@ using Kind = BoxInstruction::Kind;
 // Steps as instructions on as few registers as there are values alive at a time: what is not needed again makes room for the next.
 class Assembler {
  public:
-  explicit Assembler(const Program& program) : program_(program), last_use_(program.steps().size(), -1), register_(last_use_.size(), -1) {
+  explicit Assembler(const Program& program)
+      : program_(program), last_use_(program.steps().size(), -1), register_(last_use_.size(), -1), outputs_(last_use_.size()) {
+    for (std::size_t o = 0; o < program.outputs().size(); ++o) outputs_[index(program.outputs()[o])].push_back(static_cast<int>(o));
     for (int i = 0; i < count(); ++i)
       for (const int x : operands_in_registers(step(i))) last_use_[index(x)] = i;
     for (int i = 0; i < count(); ++i) append(i);
@@ -109,14 +111,14 @@ class Assembler {
   }
 
   void store(int i) {
-    for (std::size_t o = 0; o < program_.outputs().size(); ++o)
-      if (program_.outputs()[o] == i)
-        instructions_.push_back({is_constant(i) ? Kind::store_constant : Kind::store, Operation::constant, 0, static_cast<int>(o),
-                                 std::max(register_[index(i)], 0), 0, step(i).constant});
+    for (const int o : outputs_[index(i)])
+      instructions_.push_back({is_constant(i) ? Kind::store_constant : Kind::store, Operation::constant, 0, o,
+                               std::max(register_[index(i)], 0), 0, step(i).constant});
   }
 
   const Program& program_;
   std::vector<int> last_use_, register_, free_;  // of each step; free registers
+  std::vector<std::vector<int>> outputs_;        // of each step
   std::vector<BoxInstruction> instructions_;
   int registers_ = 0;
 };

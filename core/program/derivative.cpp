@@ -218,7 +218,7 @@ Multiple of_operand(const Step& s, int k, std::span<const Multiple> derivatives)
 }  // namespace
 
 Program partials(const Program& program, std::span<const int> by) {
-  Builder list;
+  Builder list(4 * program.steps().size());
   Rules rules(list);
   std::vector<std::vector<Multiple>> d(by.size(), std::vector<Multiple>(program.steps().size()));
   const std::vector<int> now = copy(program, list, [&](std::size_t i, const Step& s, int v) {
@@ -240,7 +240,7 @@ Program partials(const Program& program, std::span<const int> by) {
 }
 
 Program in_time(const Program& program, int order) {
-  Builder list;
+  Builder list(4 * program.steps().size());
   Rules rules(list);
   std::vector<Multiple> rate(program.steps().size()), acceleration(program.steps().size());
   const std::vector<int> now = copy(program, list, [&](std::size_t i, const Step& s, int v) {

@@ -95,7 +95,7 @@ Program::Program(std::span<const Step> steps, int inputs, std::span<const int> o
   }
 
   // What is needed, each once; and, since that leaves steps behind which nobody needs any more, of these again what is needed.
-  Builder builder;
+  Builder builder(steps.size());
   outputs_ = copy_needed(steps, outputs, [&](const Step& s) { return builder.add(s); });
   outputs_ = copy_needed(builder.steps(), outputs_, [&](const Step& s) {
     steps_.push_back(s);
@@ -103,10 +103,17 @@ Program::Program(std::span<const Step> steps, int inputs, std::span<const int> o
   });
 }
 
+// Its steps are sound, and each stands once.
 Program Program::slice(std::span<const int> outputs) const {
   std::vector<int> steps;
   for (const int o : outputs) steps.push_back(outputs_[static_cast<std::size_t>(o)]);
-  return Program(steps_, inputs_, steps);
+  Program out;
+  out.inputs_ = inputs_;
+  out.outputs_ = copy_needed(steps_, steps, [&](const Step& s) {
+    out.steps_.push_back(s);
+    return static_cast<int>(out.steps_.size()) - 1;
+  });
+  return out;
 }
 
 std::vector<std::uint64_t> Program::dependence() const {
