@@ -10,7 +10,7 @@ using program::Bounds;
 constexpr int order = 14;                         // even
 constexpr double nothing = 1e-15;                 // of the integral of |f|: what a panel may leave open
 constexpr int deepest = 52;                       // halvings beside a jump, until it is enclosed to the rounding of the time
-constexpr std::size_t most_panels = 1u << 20;     // beyond those given; then panels leave open what they do
+constexpr std::size_t most_panels = 1u << 18;     // beyond those given; then panels leave open what they do
 constexpr std::size_t most_evaluated = 1u << 23;  // terms, likewise: seconds
 
 // Integral of (t - m)^k from a to b.
