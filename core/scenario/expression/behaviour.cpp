@@ -176,9 +176,9 @@ class Observer {
  private:
   static int sign_of(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
-  void ranges(std::size_t terms, double from, double to) {
+  void values(std::size_t terms, double from, double to) {
     work_ += terms;
-    ranges_of(terms_.first(terms), from, to, ranges_);
+    values_of(terms_.first(terms), from, to, ranges_);
   }
   J at(const Telltale& tale, double t) {
     work_ += terms_.size();
@@ -188,7 +188,7 @@ class Observer {
 
   bool divide(double from, double to, int depth, std::vector<double>& steps) {
     if (steps.size() > most_steps || exhausted()) return false;
-    ranges(terms_.size(), from, to);
+    values(terms_.size(), from, to);
     const double middle = 0.5 * (from + to);
     const bool short_enough = std::all_of(terms_.begin(), terms_.end(), [&](const Term& t) { return calm(t, ranges_); });
     const bool done = short_enough || depth == deepest || !(from < middle && middle < to);
@@ -201,9 +201,8 @@ class Observer {
   void look(const Telltale& tale, double from, double to, int depth) {
     const double middle = 0.5 * (from + to);
     if (depth < deepest && !exhausted() && from < middle && middle < to) {
-      ranges(tale.term + 1, from, to);
-      const Range r = tale.range(ranges_);
-      if (r.value.has(0) && (depth < deepest_search || may_turn(tale, r))) {
+      values(tale.term + 1, from, to);
+      if (tale.range(ranges_).value.has(0) && (depth < deepest_search || may_turn(tale, from, to))) {
         look(tale, from, middle, depth + 1);
         look(tale, middle, to, depth + 1);
         return;
@@ -214,7 +213,14 @@ class Observer {
 
   // Whether it may come back to the sign that it had, so that its ends tell nothing. A function that is singular is blown up by rounding
   // nearer to its zeros, and one that stays zero turns everywhere: most_turning.
-  bool may_turn(const Telltale& tale, const Range& r) { return !tale.singular && r.rate.has(0) && ++turning_ < most_turning; }
+  bool may_turn(const Telltale& tale, double from, double to) {
+    if (tale.singular || turning_ >= most_turning) return false;
+    work_ += tale.term + 1;
+    ranges_of(terms_.first(tale.term + 1), from, to, ranges_);
+    if (!tale.range(ranges_).rate.has(0)) return false;
+    ++turning_;
+    return true;
+  }
 
   // The last time with the old sign and the first with the new one; zero is neither.
   Switch bisect(const Telltale& tale, double from, double to, int sign) {

@@ -280,7 +280,7 @@ Series<K> power(const Series<K>& x, double n) {
   }
   const Interval slope = exponent * pow(a[0], n - 1);
   for (int k = 1; k <= K; ++k) y[k] = Interval::unbounded();
-  y[1] = slope * a[1];
+  if constexpr (K > 0) y[1] = slope * a[1];
   if constexpr (K > 1) y[2] = slope * a[2] + exponent * (exponent - 1.0) * 0.5 * pow(a[0], n - 2) * square(a[1]);
   return y;
 }
@@ -328,7 +328,7 @@ Series<K> step5(const Series<K>& x, const Series<K>& from, const Series<K>& to) 
   y[0] = all.bounded() ? common(hull(at(u[0].low()), at(u[0].high)), Interval(0.0, 1.0)) : Interval::unbounded();
   if (y.degree == 0) return y;
   const Interval v = 1.0 - u[0], slope = 30.0 * (square(u[0]) * square(v)), bend = 60.0 * (u[0] * v * (v - u[0]));
-  y[1] = slope * u[1];
+  if constexpr (K > 0) y[1] = slope * u[1];
   if constexpr (K > 1) y[2] = slope * u[2] + 0.5 * (bend * square(u[1]));
   if (!(all.bounded() && all.low() > 0 && all.high < 1)) {
     y.smooth = std::min(y.smooth, 2);
