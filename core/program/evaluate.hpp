@@ -28,7 +28,7 @@ class Evaluator {
 
  private:
   const T& value(int i) const { return values_[static_cast<std::size_t>(i)]; }
-  const Mask& mask(int i) const { return masks_[static_cast<std::size_t>(i)]; }
+  Mask mask(int i) const { return masks_[static_cast<std::size_t>(i)]; }
 
   void step(std::size_t i, const Step& s, std::span<const T> in) {
     T& x = values_[i];
