@@ -3,50 +3,69 @@
 #include <bit>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <utility>
 
 namespace pmreport::program {
 
 namespace {
 
-double computed(Operation o, double a, double b) {
+// What an operation on constants comes to, where that is a double and nothing was rounded. What is added to a program afterwards, its
+// derivatives for one, is then the same function of real numbers as its unfolded steps, and an interval holds it; the rest stay operations.
+//
+// The error of a sum is a double (Knuth); that of a product, of a quotient times its divisor and of a root times itself too, given by fma,
+// unless it is too small to be one.
+std::optional<double> exactly(Operation o, double a, double b) {
+  const auto finite = [](double x) { return std::isfinite(x) ? std::optional(x) : std::nullopt; };
+  const auto without_error = [&](double x, double error, double smallest) {
+    const bool error_is_a_number = std::abs(smallest) > 0x1p-900;
+    return error == 0 && error_is_a_number ? finite(x) : std::nullopt;
+  };
+  const auto sum = [&](double x, double y) {
+    const double s = x + y, of_y = s - x, error = (x - (s - of_y)) + (y - of_y);
+    return error == 0 ? finite(s) : std::nullopt;
+  };
+  const auto product = [&](double x, double y) {
+    if (x == 0 || y == 0) return finite(x * y);
+    return without_error(x * y, std::fma(x, y, -(x * y)), x * y);
+  };
   switch (o) {
     case Operation::add:
-      return a + b;
+      return sum(a, b);
     case Operation::subtract:
-      return a - b;
+      return sum(a, -b);
     case Operation::multiply:
-      return a * b;
+      return product(a, b);
+    case Operation::square:
+      return product(a, a);
     case Operation::divide:
-      return a / b;
+      if (a == 0 && b != 0) return 0;
+      return without_error(a / b, std::fma(a / b, b, -a), a);
     case Operation::negate:
       return -a;
-    case Operation::sqrt:
-      return std::sqrt(a);
-    case Operation::sin:
-      return std::sin(a);
-    case Operation::cos:
-      return std::cos(a);
-    case Operation::tan:
-      return std::tan(a);
-    case Operation::asin:
-      return std::asin(a);
-    case Operation::acos:
-      return std::acos(a);
     case Operation::abs:
       return std::abs(a);
-    case Operation::atan2:
-      return std::atan2(a, b);
-    case Operation::hypot:
-      return std::hypot(a, b);
-    case Operation::square:
-      return a * a;
     case Operation::min:
       return a < b ? a : b;
     case Operation::max:
       return a < b ? b : a;
+    case Operation::sqrt:
+      if (a == 0) return 0;
+      return without_error(std::sqrt(a), std::fma(std::sqrt(a), std::sqrt(a), -a), a);
+    case Operation::hypot:
+      return a == 0 ? std::optional(std::abs(b)) : b == 0 ? std::optional(std::abs(a)) : std::nullopt;
+    case Operation::sin:
+    case Operation::tan:
+    case Operation::asin:
+      return a == 0 ? std::optional(0.0) : std::nullopt;
+    case Operation::cos:
+      return a == 0 ? std::optional(1.0) : std::nullopt;
+    case Operation::acos:
+      return a == 1 ? std::optional(0.0) : std::nullopt;
+    case Operation::atan2:
+      return a == 0 && b > 0 ? std::optional(0.0) : std::nullopt;
     default:
-      return std::nan("");
+      return std::nullopt;
   }
 }
 
@@ -71,7 +90,7 @@ int Builder::append(const Step& s) {
   return at->second;
 }
 
-// What needs no new operation. Constants of which no finite number follows stay operations: the geometry has no value there.
+// What needs no new operation.
 int Builder::known(const Step& s) {
   const int a = s.a, b = s.b;
   switch (s.operation) {
@@ -120,7 +139,7 @@ int Builder::add(Step s) {
   if (constant && s.operation == Operation::less) return this->constant(step(s.a).constant < step(s.b).constant ? 1 : 0);
   if (constant && s.operation == Operation::opposite) return this->constant(1 - step(s.a).constant);
   if (constant && !gives_mask(s.operation) && s.operation != Operation::choose)
-    if (const double x = computed(s.operation, step(s.a).constant, step(s.b).constant); std::isfinite(x)) return this->constant(x);
+    if (const auto x = exactly(s.operation, step(s.a).constant, step(s.b).constant)) return this->constant(*x);
 
   if (s.operation == Operation::multiply && s.a == s.b) return add(Operation::square, s.a);
   if (s.operation == Operation::subtract && is(s.a, 0)) return add(Operation::negate, s.b);

@@ -60,10 +60,10 @@ struct ProgramError : std::runtime_error {
 class Program {
  public:
   Program() = default;  // of nothing
-  // Takes the steps that the outputs need. Equal operations become one, what depends on constants alone a constant, and patterns what they
-  // mean: 1 x, x + 0, x x, choose(a < b, a, b). What is multiplied by zero is taken to be finite. Throws ProgramError: a step that uses no
-  // earlier one, a mask for a number or a number for a mask, an operation that does not exist, a constant that is not finite, more than
-  // `most_steps`.
+  // Takes the steps that the outputs need. Equal operations become one, what constants come to without rounding a constant, and patterns
+  // what they mean: 1 x, x + 0, x x, choose(a < b, a, b). What is multiplied by zero is taken to be finite. Throws ProgramError: a step
+  // that uses no earlier one, a mask for a number or a number for a mask, an operation that does not exist, a constant that is not finite,
+  // more than `most_steps`.
   Program(std::span<const Step> steps, int inputs, std::span<const int> outputs);
 
   static constexpr std::size_t most_steps = 1 << 16;
