@@ -3,8 +3,8 @@
 //
 // The motion is covered by a chain of spans of time. For each a box of coordinates that moves with the path is found in which, at every
 // instant of the span, exactly one pose has the prescribed actuators. Spans that meet are linked: the pose that the one proves at the
-// instant that they share lies where the other's is the only one. So the chain is one motion without a jump, from the pose at the beginning;
-// and the numerical path lies in the chain's boxes at each of its samples. Any span is then answered within these boxes.
+// instant that they share lies where the other's is the only one. So the chain is one motion without a jump, from the pose at the
+// beginning; and the numerical path lies in the chain's boxes at each of its samples. Any span is then answered within these boxes.
 #pragma once
 
 #include <core/mechanics/model/machine.hpp>

@@ -51,7 +51,11 @@ ActuatorGeometry::ActuatorGeometry(const program::Program& geometry, std::size_t
       in_time(program::in_time(values, 2)) {}
 
 FrameFinder::FrameFinder(const ActuatorGeometry& geometry, const SmallVector& sizes)
-    : geometry_(geometry), sizes_(sizes), values_(geometry.values), partials_(geometry.partials), out_(geometry.partials.outputs().size()) {}
+    : geometry_(geometry),
+      sizes_(sizes),
+      values_(geometry.values),
+      partials_(geometry.partials),
+      out_(geometry.partials.outputs().size()) {}
 
 std::optional<MovingFrame> FrameFinder::at(double t, const mechanics::Bounded* prescribed, SmallVector q) {
   const int m = geometry_.dof;

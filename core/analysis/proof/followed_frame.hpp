@@ -34,9 +34,9 @@ struct ActuatorGeometry {
 };
 
 struct MovingFrame {
-  double middle = 0;            // c [s]
+  double middle = 0;             // c [s]
   SmallVector origin, velocity;  // at c
-  SmallMatrix inverse;          // J^-1 at the origin, nearly
+  SmallMatrix inverse;           // J^-1 at the origin, nearly
 };
 
 class FrameFinder {

@@ -61,7 +61,8 @@ class Krawczyk {
   Found find(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, const Offsets& include, Offsets& only, Offsets& within,
              int& rounds);
 
-  // Makes the offsets that a solution is known to have smaller. False: nothing is known of the geometry there.
+  // Makes the offsets that a solution is known to have smaller. False: nothing is known of the geometry there, or there is no solution after
+  // all, which bounds of the actuators that contradict one another lead to.
   bool contract(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, Offsets& within);
 
   // Coordinates, rates and accelerations of the solution `within`. False where rates have no bounds.

@@ -53,9 +53,9 @@ struct Krawczyk::Work {
   std::vector<Interval> in, out;
 
   // What follows of one span and one box.
-  Interval elapsed;                          // T - c
-  Matrix jacobian, rest;                     // J(X); R = I - Y J(X)
-  Numbers coordinates, error_now, shift;     // X; F(0, c); -Y F(0, T)
+  Interval elapsed;                       // T - c
+  Matrix jacobian, rest;                  // J(X); R = I - Y J(X)
+  Numbers coordinates, error_now, shift;  // X; F(0, c); -Y F(0, T)
 
   static double entry(const SmallMatrix& a, std::size_t i, std::size_t j) {
     return a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
@@ -63,8 +63,7 @@ struct Krawczyk::Work {
   static double entry(const SmallVector& a, std::size_t i) { return a(static_cast<Eigen::Index>(i)); }
 
   void place(const MovingFrame& frame, const Offsets& d) {
-    for (std::size_t i = 0; i < m; ++i)
-      coordinates[i] = Interval(entry(frame.origin, i)) + Interval(entry(frame.velocity, i)) * elapsed + Interval(d[i]);
+    for (std::size_t i = 0; i < m; ++i) coordinates[i] = Interval(d[i]) + elapsed * entry(frame.velocity, i) + entry(frame.origin, i);
   }
 
   // F(0, c). False where the geometry has no bounds.
@@ -85,7 +84,7 @@ struct Krawczyk::Work {
     partials.run({in.data(), m}, {out.data(), partials_count()});
     for (std::size_t c = m; c < geometry.outputs(); ++c) {
       if (!out[c].bounded()) return Found::no_bounds;
-      if (out[c].low() != out[c].high()) return Found::choice;
+      if (out[c].width() != 0) return Found::choice;
     }
     for (std::size_t k = 0; k < m; ++k) {
       if (!out[k].bounded()) return Found::no_bounds;
@@ -97,7 +96,7 @@ struct Krawczyk::Work {
     for (std::size_t i = 0; i < m; ++i)
       for (std::size_t j = 0; j < m; ++j) {
         Interval r(i == j ? 1.0 : 0.0);
-        for (std::size_t k = 0; k < m; ++k) r = r - Interval(entry(frame.inverse, i, k)) * jacobian[k][j];
+        for (std::size_t k = 0; k < m; ++k) r = r - jacobian[k][j] * entry(frame.inverse, i, k);
         rest[i][j] = r;
       }
     return Found::one;
@@ -109,14 +108,14 @@ struct Krawczyk::Work {
     Numbers y;
     for (std::size_t i = 0; i < m; ++i) {
       y[i] = Interval(0.0);
-      for (std::size_t k = 0; k < m; ++k) y[i] = y[i] + Interval(entry(frame.inverse, i, k)) * x[k];
+      for (std::size_t k = 0; k < m; ++k) y[i] = y[i] + x[k] * entry(frame.inverse, i, k);
     }
     return y;
   }
   // x - J x0.
   Numbers less_product(Numbers x, const SmallVector& x0) const {
     for (std::size_t k = 0; k < m; ++k)
-      for (std::size_t j = 0; j < m; ++j) x[k] = x[k] - jacobian[k][j] * Interval(entry(x0, j));
+      for (std::size_t j = 0; j < m; ++j) x[k] = x[k] - jacobian[k][j] * entry(x0, j);
     return x;
   }
   static Numbers numbers(const mechanics::Bounded* of, std::size_t m, Bounds mechanics::Bounded::*part) {
@@ -213,7 +212,10 @@ struct Krawczyk::Work {
       find_shift(frame, prescribed);
       within = both(within, krawczyk(with_zero(within)));
       bool shrinks = false;
-      for (std::size_t i = 0; i < m; ++i) shrinks = shrinks || within[i].width() < worth_while * before[i].width();
+      for (std::size_t i = 0; i < m; ++i) {
+        if (!(within[i].low <= within[i].high)) return false;
+        shrinks = shrinks || within[i].width() < worth_while * before[i].width();
+      }
       if (!shrinks) break;
     }
     return true;
@@ -226,12 +228,12 @@ struct Krawczyk::Work {
     for (std::size_t i = 0; i < m; ++i) {
       if (!z[i].bounded()) return false;
       double row = 0;
-      for (std::size_t j = 0; j < m; ++j) row += magnitude(rest[i][j]) * entry(sizes, j);
-      rho = std::max(rho, (Interval(row) / Interval(entry(sizes, i))).high());
-      largest = std::max(largest, (Interval(magnitude(z[i])) / Interval(entry(sizes, i))).high());
+      for (std::size_t j = 0; j < m; ++j) row += rest[i][j].magnitude() * entry(sizes, j);
+      rho = std::max(rho, row / entry(sizes, i));
+      largest = std::max(largest, z[i].magnitude() / entry(sizes, i));
     }
     if (!(rho < 1)) return false;
-    const double all = (Interval(largest) / (Interval(1.0) - Interval(rho))).high();
+    const double all = (largest / (1.0 - Interval(rho))).high;
     Numbers y;
     for (std::size_t i = 0; i < m; ++i) {
       const double end = all * entry(sizes, i);
@@ -241,7 +243,7 @@ struct Krawczyk::Work {
       const Numbers next = remains_of(z, y);
       for (std::size_t i = 0; i < m; ++i) y[i] = common(y[i], next[i]);
     }
-    for (std::size_t i = 0; i < m; ++i) x[i] = Interval(entry(x0, i)) + y[i];
+    for (std::size_t i = 0; i < m; ++i) x[i] = y[i] + entry(x0, i);
     return true;
   }
 
@@ -260,8 +262,7 @@ struct Krawczyk::Work {
     for (std::size_t k = 0; k < m; ++k) {
       left[k] = left[k] - out[2 * geometry.outputs() + k];
       if (!left[k].bounded()) return true;
-      for (std::size_t i = 0; i < m; ++i)
-        nearly(static_cast<Eigen::Index>(i)) += entry(frame.inverse, i, k) * left[k].bounds().middle();
+      for (std::size_t i = 0; i < m; ++i) nearly(static_cast<Eigen::Index>(i)) += entry(frame.inverse, i, k) * left[k].bounds().middle();
     }
     Numbers acceleration;
     if (solve(frame, left, nearly, acceleration))
@@ -269,15 +270,13 @@ struct Krawczyk::Work {
     return true;
   }
 
-  Offsets seen_from(const MovingFrame& frame, Bounds time, const MovingBox& box) const { return seen(frame, time, box); }
-  static Offsets seen(const MovingFrame& frame, Bounds time, const MovingBox& box) {
+  static Offsets seen_from(const MovingFrame& frame, Bounds time, const MovingBox& box) {
     const Interval between = Interval(frame.middle) - Interval(box.frame.middle), since = Interval(time) - Interval(frame.middle);
     Offsets out{};
     for (std::size_t i = 0; i < static_cast<std::size_t>(frame.origin.size()); ++i) {
-      const Interval old(entry(box.frame.velocity, i));
-      out[i] = (Interval(entry(box.frame.origin, i)) - Interval(entry(frame.origin, i)) + old * between +
-                (old - Interval(entry(frame.velocity, i))) * since + Interval(box.offsets[i]))
-                   .bounds();
+      const double old = entry(box.frame.velocity, i), now = entry(frame.velocity, i);
+      const Interval moved = Interval(entry(box.frame.origin, i)) - entry(frame.origin, i) + between * old;
+      out[i] = (moved + (Interval(old) - now) * since + Interval(box.offsets[i])).bounds();
     }
     return out;
   }
@@ -303,7 +302,7 @@ bool Krawczyk::enclose(const MovingFrame& frame, Bounds time, const Prescribed& 
 }
 
 Offsets Krawczyk::seen_from(const MovingFrame& frame, Bounds time, const MovingBox& box) {
-  return round_upward([&] { return Work::seen(frame, time, box); });
+  return round_upward([&] { return Work::seen_from(frame, time, box); });
 }
 
 }  // namespace pmreport::analysis
