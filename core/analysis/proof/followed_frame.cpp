@@ -14,19 +14,24 @@ namespace {
 constexpr double longest_step = 0.25, last_step = 1e-8;
 constexpr int most_steps = 8;
 
-program::Program with_choices(const program::Program& actuators, int& choices) {
+using program::Operation;
+
+program::Program with_choices(const program::Program& actuators, int& choices, int& kinks) {
   std::vector<program::Step> steps(actuators.steps().begin(), actuators.steps().end());
-  std::vector<int> outputs(actuators.outputs().begin(), actuators.outputs().end());
+  std::vector<int> outputs(actuators.outputs().begin(), actuators.outputs().end()), masks_of_kinks;
   const auto add = [&](const program::Step& s) {
     steps.push_back(s);
     return static_cast<int>(steps.size()) - 1;
   };
-  const int one = add({program::Operation::constant, 0, 0, 0, 1}), zero = add({program::Operation::constant, 0, 0, 0, 0});
-  for (std::size_t i = 0; i < actuators.steps().size(); ++i)
-    if (steps[i].operation == program::Operation::choose) {
-      outputs.push_back(add({program::Operation::choose, steps[i].a, one, zero, 0}));
-      ++choices;
-    }
+  const int one = add({Operation::constant, 0, 0, 0, 1}), zero = add({Operation::constant, 0, 0, 0, 0});
+  const auto tell = [&](int mask) { outputs.push_back(add({Operation::choose, mask, one, zero, 0})); };
+  for (std::size_t i = 0; i < actuators.steps().size(); ++i) {
+    const program::Step s = steps[i];
+    if (s.operation == Operation::choose) tell(s.a), ++choices;
+    if (s.operation == Operation::min || s.operation == Operation::max) masks_of_kinks.push_back(add({Operation::less, s.a, s.b, 0, 0}));
+    if (s.operation == Operation::abs) masks_of_kinks.push_back(add({Operation::less, s.a, zero, 0, 0}));
+  }
+  for (const int mask : masks_of_kinks) tell(mask), ++kinks;
   return program::Program(steps, actuators.inputs(), outputs);
 }
 
@@ -46,9 +51,16 @@ SmallVector middles(const mechanics::Bounded* of, int count, program::Bounds mec
 
 ActuatorGeometry::ActuatorGeometry(const program::Program& geometry, std::size_t first)
     : dof(geometry.inputs()),
-      values(with_choices(geometry.slice(from_to(first, dof)), choices)),
+      values(with_choices(geometry.slice(from_to(first, dof)), choices, kinks)),
       partials(program::partials(values, from_to(0, dof))),
-      in_time(program::in_time(values, 2)) {}
+      in_time(program::in_time(values, 2)) {
+  // The rate of l_k has the partials sum_i d2l_k / dq_j dq_i q_i' = J'_kj.
+  const int all = static_cast<int>(outputs());
+  std::vector<int> wanted = from_to(static_cast<std::size_t>(dof), choices + kinks);
+  for (int k = 0; k < dof; ++k)
+    for (int j = 0; j < dof; ++j) wanted.push_back(2 * all + (all + k) * dof + j);
+  turning = program::partials(program::in_time(values, 1), from_to(0, dof)).slice(wanted);
+}
 
 FrameFinder::FrameFinder(const ActuatorGeometry& geometry, const SmallVector& sizes)
     : geometry_(geometry),

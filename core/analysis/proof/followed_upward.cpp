@@ -43,28 +43,26 @@ struct Krawczyk::Work {
         values(of.values),
         partials(of.partials),
         in_time(of.in_time),
+        turning(of.turning),
         in(3 * m),
-        out(std::max(of.partials.outputs().size(), of.in_time.outputs().size())) {}
+        out(std::max({of.partials.outputs().size(), of.in_time.outputs().size(), of.turning.outputs().size()})) {}
 
   const ActuatorGeometry& geometry;
   const SmallVector& sizes;
   const std::size_t m;
-  program::Evaluator<Interval> values, partials, in_time;
+  program::Evaluator<Interval> values, partials, in_time, turning;
   std::vector<Interval> in, out;
 
   // What follows of one span and one box.
   Interval elapsed;                       // T - c
-  Matrix jacobian, rest;                  // J(X); R = I - Y J(X)
-  Numbers coordinates, error_now, shift;  // X; F(0, c); -Y F(0, T)
+  Numbers coordinates;                    // X
+  Matrix jacobian, turn, rest;            // J(X) = jacobian + J' (T - c) of (4); Y J'; R = I - Y J(X)
+  Numbers error_now, shift;               // F(0, c); -Y F(0, T)
 
   static double entry(const SmallMatrix& a, std::size_t i, std::size_t j) {
     return a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
   }
   static double entry(const SmallVector& a, std::size_t i) { return a(static_cast<Eigen::Index>(i)); }
-
-  void place(const MovingFrame& frame, const Offsets& d) {
-    for (std::size_t i = 0; i < m; ++i) coordinates[i] = Interval(d[i]) + elapsed * entry(frame.velocity, i) + entry(frame.origin, i);
-  }
 
   // F(0, c). False where the geometry has no bounds.
   bool start(const MovingFrame& frame, Bounds time, const Prescribed& prescribed) {
@@ -78,44 +76,65 @@ struct Krawczyk::Work {
     return true;
   }
 
-  // J(X) and R, of the box of coordinates.
-  Found differentiate(const MovingFrame& frame) {
-    std::copy_n(coordinates.begin(), m, in.begin());
-    partials.run({in.data(), m}, {out.data(), partials_count()});
-    for (std::size_t c = m; c < geometry.outputs(); ++c) {
+  // X, J(X) and R.
+  Found differentiate(const MovingFrame& frame, const Offsets& d) {
+    Numbers start;
+    for (std::size_t i = 0; i < m; ++i) {
+      start[i] = Interval(d[i]) + entry(frame.origin, i);
+      coordinates[i] = start[i] + elapsed * entry(frame.velocity, i);
+      in[i] = coordinates[i];
+      in[m + i] = Interval(entry(frame.velocity, i));
+    }
+    const std::size_t choices = static_cast<std::size_t>(geometry.choices), switches = geometry.outputs() - m;
+    turning.run({in.data(), 2 * m}, {out.data(), switches + m * m});
+    bool smooth = true;
+    for (std::size_t c = 0; c < switches; ++c) {
       if (!out[c].bounded()) return Found::no_bounds;
-      if (out[c].width() != 0) return Found::choice;
+      const bool open = out[c].width() != 0;
+      if (open && c < choices) return Found::choice;
+      smooth = smooth && !open;
     }
-    for (std::size_t k = 0; k < m; ++k) {
-      if (!out[k].bounded()) return Found::no_bounds;
-      for (std::size_t j = 0; j < m; ++j) {
-        jacobian[k][j] = out[geometry.outputs() + k * m + j];
-        if (!jacobian[k][j].bounded()) return Found::no_bounds;
-      }
-    }
+    for (std::size_t k = 0; k < m * m; ++k) smooth = smooth && out[switches + k].bounded();
     for (std::size_t i = 0; i < m; ++i)
       for (std::size_t j = 0; j < m; ++j) {
-        Interval r(i == j ? 1.0 : 0.0);
-        for (std::size_t k = 0; k < m; ++k) r = r - jacobian[k][j] * entry(frame.inverse, i, k);
-        rest[i][j] = r;
+        turn[i][j] = Interval(0.0);
+        for (std::size_t k = 0; smooth && k < m; ++k) turn[i][j] += out[switches + k * m + j] * entry(frame.inverse, i, k);
+      }
+
+    std::copy_n((smooth ? start : coordinates).begin(), m, in.begin());
+    partials.run({in.data(), m}, {out.data(), geometry.outputs() * (1 + m)});
+    for (std::size_t k = 0; k < m; ++k)
+      for (std::size_t j = 0; j < m; ++j) {
+        jacobian[k][j] = out[geometry.outputs() + k * m + j];
+        if (!out[k].bounded() || !jacobian[k][j].bounded()) return Found::no_bounds;
+      }
+    for (std::size_t i = 0; i < m; ++i)
+      for (std::size_t j = 0; j < m; ++j) {
+        rest[i][j] = Interval(i == j ? 1.0 : 0.0) - turn[i][j] * elapsed;
+        for (std::size_t k = 0; k < m; ++k) rest[i][j] -= jacobian[k][j] * entry(frame.inverse, i, k);
       }
     return Found::one;
   }
-  std::size_t partials_count() const { return geometry.outputs() * (1 + m); }
 
   // Y x.
   Numbers preconditioned(const MovingFrame& frame, const Numbers& x) const {
     Numbers y;
     for (std::size_t i = 0; i < m; ++i) {
       y[i] = Interval(0.0);
-      for (std::size_t k = 0; k < m; ++k) y[i] = y[i] + x[k] * entry(frame.inverse, i, k);
+      for (std::size_t k = 0; k < m; ++k) y[i] += x[k] * entry(frame.inverse, i, k);
     }
     return y;
   }
-  // x - J x0.
-  Numbers less_product(Numbers x, const SmallVector& x0) const {
+  // Y (b - J x0).
+  Numbers left_of(const MovingFrame& frame, Numbers b, const SmallVector& x0) const {
     for (std::size_t k = 0; k < m; ++k)
-      for (std::size_t j = 0; j < m; ++j) x[k] = x[k] - jacobian[k][j] * entry(x0, j);
+      for (std::size_t j = 0; j < m; ++j) b[k] -= jacobian[k][j] * entry(x0, j);
+    Numbers x = preconditioned(frame, b);
+    for (std::size_t i = 0; i < m; ++i) {
+      Interval turned(0.0);
+      for (std::size_t j = 0; j < m; ++j) turned += turn[i][j] * entry(x0, j);
+      x[i] -= turned * elapsed;
+    }
     return x;
   }
   static Numbers numbers(const mechanics::Bounded* of, std::size_t m, Bounds mechanics::Bounded::*part) {
@@ -126,16 +145,15 @@ struct Krawczyk::Work {
 
   // (3), preconditioned.
   void find_shift(const MovingFrame& frame, const Prescribed& prescribed) {
-    const Numbers lag = less_product(numbers(prescribed.over, m, &mechanics::Bounded::rate), frame.velocity);
-    Numbers error;
-    for (std::size_t k = 0; k < m; ++k) error[k] = lag[k] * elapsed - error_now[k];
-    shift = preconditioned(frame, error);
+    const Numbers lag = left_of(frame, numbers(prescribed.over, m, &mechanics::Bounded::rate), frame.velocity),
+                  error = preconditioned(frame, error_now);
+    for (std::size_t i = 0; i < m; ++i) shift[i] = lag[i] * elapsed - error[i];
   }
 
   Numbers remains_of(const Numbers& start, const Numbers& d) const {  // start + R d
     Numbers x = start;
     for (std::size_t i = 0; i < m; ++i)
-      for (std::size_t j = 0; j < m; ++j) x[i] = x[i] + rest[i][j] * d[j];
+      for (std::size_t j = 0; j < m; ++j) x[i] += rest[i][j] * d[j];
     return x;
   }
   Offsets krawczyk(const Offsets& d) const {  // K(D)
@@ -166,8 +184,7 @@ struct Krawczyk::Work {
              int& rounds) {
     rounds = 0;
     if (!start(frame, time, prescribed)) return Found::no_bounds;
-    place(frame, none());
-    if (const Found f = differentiate(frame); f != Found::one) return f;
+    if (const Found f = differentiate(frame, none()); f != Found::one) return f;
     find_shift(frame, prescribed);
     const auto enlarged = [&](const Offsets& d) {
       Offsets out = with_zero(include);
@@ -178,8 +195,7 @@ struct Krawczyk::Work {
     for (std::size_t i = 0; i < m; ++i) now[i] = shift[i].bounds();
     for (now = enlarged(now); rounds < most_rounds && !too_large(now); now = enlarged(now)) {
       ++rounds;
-      place(frame, now);
-      if (const Found f = differentiate(frame); f != Found::one) return f;
+      if (const Found f = differentiate(frame, now); f != Found::one) return f;
       const Offsets next = krawczyk(now);
       if (!interior(next, now)) {
         now = next;
@@ -207,8 +223,7 @@ struct Krawczyk::Work {
     if (!start(frame, time, prescribed)) return false;
     for (int k = 0; k < most_contractions; ++k) {
       const Offsets before = within;
-      place(frame, with_zero(within));
-      if (differentiate(frame) != Found::one) return k > 0;
+      if (differentiate(frame, with_zero(within)) != Found::one) return k > 0;
       find_shift(frame, prescribed);
       within = both(within, krawczyk(with_zero(within)));
       bool shrinks = false;
@@ -223,7 +238,7 @@ struct Krawczyk::Work {
 
   // (5): bounds of x with J x = b, around x0. False where R is not small.
   bool solve(const MovingFrame& frame, const Numbers& b, const SmallVector& x0, Numbers& x) const {
-    const Numbers z = preconditioned(frame, less_product(b, x0));
+    const Numbers z = left_of(frame, b, x0);
     double rho = 0, largest = 0;
     for (std::size_t i = 0; i < m; ++i) {
       if (!z[i].bounded()) return false;
@@ -249,8 +264,7 @@ struct Krawczyk::Work {
 
   bool enclose(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, const Offsets& within, mechanics::Bounded* bounded) {
     elapsed = Interval(time) - Interval(frame.middle);
-    place(frame, within);
-    if (differentiate(frame) != Found::one) return false;
+    if (differentiate(frame, within) != Found::one) return false;
     Numbers rate;
     if (!solve(frame, numbers(prescribed.over, m, &mechanics::Bounded::rate), frame.velocity, rate)) return false;
     for (std::size_t i = 0; i < m; ++i) bounded[i] = {coordinates[i].bounds(), rate[i].bounds(), Bounds{}};
