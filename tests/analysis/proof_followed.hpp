@@ -19,32 +19,40 @@
 namespace trial {
 
 using namespace pmreport;
-using mechanics::Bounded, mechanics::Enclosure, mechanics::Machine, mechanics::Trajectory, program::Bounds;
 using analysis::FollowedProof, analysis::prove_followed;
+using mechanics::Bounded, mechanics::Enclosure, mechanics::Machine, mechanics::Trajectory, program::Bounds;
 using Extended = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
-// Of an actuator: mean + amplitude sin(frequency t).
+// Of an actuator: mean + amplitude sin(frequency t), or `folded`, mean + amplitude |sin(frequency t)|, whose rate jumps.
 struct Sine {
   double mean = 0, amplitude = 0, frequency = 0;
+  bool folded = false;
 
   // k-th derivative.
   long double at(long double t, int k) const {
-    const long double phase = frequency * t, power = std::pow(static_cast<long double>(frequency), k);
-    return (k == 0 ? mean : 0) + amplitude * power * (k == 0 ? std::sin(phase) : k == 1 ? std::cos(phase) : -std::sin(phase));
+    const long double phase = frequency * t, sine = std::sin(phase);
+    const long double wave = k == 0 ? sine : k == 1 ? std::cos(phase) : -sine;
+    return (k == 0 ? mean : 0) + amplitude * std::pow(static_cast<long double>(frequency), k) * (folded && sine < 0 ? -wave : wave);
   }
-  // Least and greatest at an end, or at an extreme within; more than what the phase is rounded by, and the sine, apart.
+  // Least and greatest at an end, or at an extreme within.
   Bounds over(Bounds t, int k) const {
-    const double a = static_cast<double>(at(t.low, k)), b = static_cast<double>(at(t.high, k));
-    Bounds out{std::min(a, b), std::max(a, b)};
-    const double quarter = std::numbers::pi / 2, shift = k == 1 ? 0 : 1;  // extremes at whole multiples of pi, or between
-    const double first = std::ceil(frequency * t.low / quarter - 1e-9), last = std::floor(frequency * t.high / quarter + 1e-9);
-    for (double n = first; n <= last; ++n)
-      if (std::abs(std::fmod(n, 2)) == shift) {
-        const double extreme = static_cast<double>(at(n * quarter / frequency, k));
-        out = hull(out, Bounds::exactly(extreme));
-      }
-    const double rounding = 1e-15 * (std::abs(mean) + std::abs(amplitude));
-    return {out.low - rounding, out.high + rounding};
+    const Sine wave{0, amplitude, frequency, false};
+    const auto exactly = [&](long double time) { return Bounds::exactly(static_cast<double>(wave.at(time, k))); };
+    Bounds out = hull(exactly(t.low), exactly(t.high));
+    const double quarter = std::numbers::pi / 2;
+    bool meets_fold = false;
+    for (double n = std::ceil(frequency * t.low / quarter - 1e-9); n <= frequency * t.high / quarter + 1e-9; ++n) {
+      const bool even = std::fmod(n, 2) == 0;
+      if (even == (k == 1)) out = hull(out, exactly(n * quarter / frequency));
+      meets_fold = meets_fold || even;
+    }
+    if (folded) {
+      const Bounds turned{-out.high, -out.low};
+      out = meets_fold ? hull(out, turned) : std::sin(frequency * t.middle()) < 0 ? turned : out;
+    }
+    // More than what the phase is rounded by, and the sum.
+    const double rounding = 1e-15 * (std::abs(mean) + std::abs(amplitude) * (1 + frequency * frequency)), shift = k == 0 ? mean : 0;
+    return {out.low + shift - rounding, out.high + shift + rounding};
   }
 };
 
@@ -132,12 +140,23 @@ class Oracle {
   program::Program program_;
 };
 
-// A motion of a mechanism, followed.
+// A motion of a mechanism, followed from its home.
 struct Followed {
-  Followed(const Machine& m, Sines law, double end, int samples = 501) : machine(m), sines(std::move(law)), oracle(m, sines) {
-    trajectory = mechanics::followed(m, sines.path(), even(end, samples), m.home()).trajectory;
+  Followed(const Machine& m, Sines law, double end, int samples = 501) : Followed(m, std::move(law), end, samples, m.home()) {}
+  Followed(const Machine& m, Sines law, double end, int samples, const Eigen::VectorXd& start)
+      : machine(m), sines(std::move(law)), oracle(m, sines) {
+    trajectory = mechanics::followed(m, sines.path(), even(end, samples), start).trajectory;
+    for (const Sine& s : sines.of)
+      for (int n = 1; s.folded && n * std::numbers::pi / s.frequency < end; ++n) {
+        trajectory.knots.push_back(n * std::numbers::pi / s.frequency);
+        trajectory.breaks.push_back({mechanics::Break::Of::rate, "an actuator", "m", trajectory.knots.back(), 0});
+      }
+    std::ranges::sort(trajectory.knots);
   }
 
+  FollowedProof proof(const analysis::FollowedOptions& options = {}) const {
+    return prove_followed(machine, trajectory, sines.over(), options);
+  }
   Eigen::VectorXd at(double t) const {
     Eigen::VectorXd q(machine.dof()), rate(machine.dof()), acceleration(machine.dof());
     REQUIRE(trajectory.at(t, q.data(), rate.data(), acceleration.data()));

@@ -17,6 +17,8 @@ namespace {
 
 // The first span that is tried is this share of the motion; one that is proved at the first go is followed by one that much longer.
 constexpr double first_share = 1.0 / 64, growth = 1.5;
+// Of the motion's duration: how exactly the times are known at which a law may jump.
+constexpr double exactness = 1e-9;
 
 // Makes the chain, from the beginning of the motion on.
 class Prover {
@@ -101,7 +103,7 @@ Prover::Obstacle Prover::begin() {
 // One more span, to `next`. The pose at which the chain has arrived lies in its box, in which it is the only one.
 Prover::Obstacle Prover::link(double next) {
   for (const mechanics::Break& b : trajectory_.breaks)
-    if (b.of == mechanics::Break::Of::value && proved_ <= b.time && b.time <= next) return Obstacle::jump;
+    if (b.of == mechanics::Break::Of::value && proved_ <= b.time + chain_.near() && b.time - chain_.near() <= next) return Obstacle::jump;
   FollowedChain::Link link{{proved_, next}, {}, {}, {}, {}};
   const double middle = link.time.middle();
   std::array<Bounded, 6> over, at_middle;
@@ -110,14 +112,20 @@ Prover::Obstacle Prover::link(double next) {
   const auto frame = tools_.frames.at(middle, at_middle.data(), before.origin + (middle - before.middle) * before.velocity);
   if (!frame) return Obstacle::singular;
   link.frame = *frame;
-  Offsets include = Krawczyk::seen_from(*frame, Bounds::exactly(proved_), arrival_);
+  const Offsets start = Krawczyk::seen_from(*frame, Bounds::exactly(proved_), arrival_);
+  Offsets include = start;
   if (const Obstacle o = find_path(*frame, link.time, include); o != Obstacle::none) return o;
   const Krawczyk::Prescribed actuators{over.data(), at_middle.data()};
-  if (const auto found = tools_.krawczyk.find(*frame, link.time, actuators, include, link.only, link.within, rounds_);
-      found != Krawczyk::Found::one)
+  const auto look = [&](const Offsets& with) {
+    return tools_.krawczyk.find(*frame, link.time, actuators, with, link.only, link.within, rounds_);
+  };
+  if (const auto found = look(include); found == Krawczyk::Found::undecided && look(start) == Krawczyk::Found::one)
+    return Obstacle::path;  // which has gone to another pose
+  else if (found != Krawczyk::Found::one)
     return obstacle(found);
   if (!goes_on(next)) return Obstacle::unfollowed;
-  if (!tools_.krawczyk.enclose(*frame, link.time, actuators, link.within, link.whole.data())) return Obstacle::singular;
+  if (!tools_.krawczyk.enclose(*frame, link.time, actuators, link.within, chain_.steady(link.time), link.whole.data()))
+    return Obstacle::singular;
   if (const Obstacle o = arrive({link.frame, link.within}, next); o != Obstacle::none) return o;
   chain_.add(std::move(link));
   proved_ = next;
@@ -203,7 +211,9 @@ FollowedProof prove_followed(const Machine& machine, const Trajectory& trajector
   SmallVector sizes(machine.dof());
   for (int i = 0; i < machine.dof(); ++i)
     sizes(i) = mechanics::size_of(machine.topology().coordinates[static_cast<std::size_t>(i)].sense(), length);
-  const auto chain = std::make_shared<FollowedChain>(ActuatorGeometry(*geometry, machine.layout().actuator(0)), sizes, actuators);
+  const double duration = trajectory.time.empty() ? 0 : trajectory.time.back() - first;
+  const auto chain = std::make_shared<FollowedChain>(ActuatorGeometry(*geometry, machine.layout().actuator(0)), sizes, actuators,
+                                                     trajectory.knots, exactness * duration);
   Prover prover(trajectory, options, *chain);
   out.reason = prover.run();
   out.spans = static_cast<int>(chain->links().size());

@@ -47,23 +47,44 @@ bool FollowedChain::over(Bounds time, Bounded* out) const {
   return true;
 }
 
-// What is known of all of the link holds of a part of it; and, seen from a frame that moves with the part, it is contracted further.
+bool FollowedChain::steady(Bounds time) const {
+  const auto next = std::ranges::lower_bound(jumps_, time.low - near_);
+  return next == jumps_.end() || *next > time.high + near_;
+}
+
+// What is known of all of the link holds of a part of it; and a frame that moves with the part sees it sharper.
 std::array<Bounded, 6> FollowedChain::within(const Link& link, Bounds time, Tools& tools) const {
   if (time == link.time) return link.whole;
   const auto m = static_cast<std::size_t>(geometry_.dof);
-  Coordinates over, at_middle, out = link.whole;
+  Coordinates over, at_middle, out = link.whole, sharper;
   const double middle = time.middle();
   if (!prescribed(time, over.data()) || !prescribed(Bounds::exactly(middle), at_middle.data())) return out;
   const auto frame = tools.frames.at(middle, at_middle.data(), link.frame.origin + (middle - link.frame.middle) * link.frame.velocity);
-  if (!frame) return out;
-  Offsets offsets = Krawczyk::seen_from(*frame, time, {link.frame, link.within});
   const Krawczyk::Prescribed actuators{over.data(), at_middle.data()};
-  Coordinates sharper;
-  if (!tools.krawczyk.contract(*frame, time, actuators, offsets) ||
-      !tools.krawczyk.enclose(*frame, time, actuators, offsets, sharper.data()))
+  Offsets offsets;
+  if (!frame || !find(link, time, *frame, actuators, tools, offsets) ||
+      !tools.krawczyk.enclose(*frame, time, actuators, offsets, steady(time), sharper.data()))
     return out;
   for (std::size_t i = 0; i < m; ++i) out[i] = both_of(out[i], sharper[i]);
   return out;
+}
+
+// What has exactly one solution in a box of its own, that lies where the link has only one, has the same. Where that does not show, the
+// link's box is made smaller.
+bool FollowedChain::find(const Link& link, Bounds time, const MovingFrame& frame, const Krawczyk::Prescribed& actuators, Tools& tools,
+                         Offsets& offsets) const {
+  Offsets none, only;
+  none.fill(Bounds::exactly(0));
+  int rounds = 0;
+  if (tools.krawczyk.find(frame, time, actuators, none, only, offsets, rounds) == Krawczyk::Found::one) {
+    const Offsets seen = Krawczyk::seen_from(link.frame, time, {frame, offsets});
+    bool inside = true;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(geometry_.dof); ++i)
+      inside = inside && link.only[i].low <= seen[i].low && seen[i].high <= link.only[i].high;
+    if (inside) return true;
+  }
+  offsets = Krawczyk::seen_from(frame, time, {link.frame, link.within});
+  return tools.krawczyk.contract(frame, time, actuators, offsets);
 }
 
 }  // namespace pmreport::analysis

@@ -28,6 +28,11 @@ program::Program with_choices(const program::Program& actuators, int& choices, i
   for (std::size_t i = 0; i < actuators.steps().size(); ++i) {
     const program::Step s = steps[i];
     if (s.operation == Operation::choose) tell(s.a), ++choices;
+    if (s.operation == Operation::atan2) {  // whole only where x > 0 or y is not 0
+      const int above = add({Operation::less, zero, s.a, 0, 0}), below = add({Operation::less, s.a, zero, 0, 0}),
+                ahead = add({Operation::less, zero, s.b, 0, 0});
+      tell(add({Operation::either, ahead, add({Operation::either, above, below, 0, 0}), 0, 0})), ++choices;
+    }
     if (s.operation == Operation::min || s.operation == Operation::max) masks_of_kinks.push_back(add({Operation::less, s.a, s.b, 0, 0}));
     if (s.operation == Operation::abs) masks_of_kinks.push_back(add({Operation::less, s.a, zero, 0, 0}));
   }

@@ -18,9 +18,10 @@ namespace pmreport::analysis {
 
 using linear::SmallMatrix, linear::SmallVector;
 
-// The actuators l of a geometry, alone. What is continuous has a mean value theorem, and a choice between two formulas may not be: after
-// the actuators the programs give 1 or 0 for each choice, so that a box on which it is open is known; then the same for each kink: where
-// the smaller, the larger or the absolute value, which are continuous, go over from one side to the other, and J jumps.
+// The actuators l of a geometry, alone. What is continuous has a mean value theorem, and a choice between two formulas may not be, nor
+// atan2 where it goes round: after the actuators the programs give 1 or 0 for each, so that a box on which it is open is known; then the
+// same for each kink: where the smaller, the larger or the absolute value, which are continuous, go over from one side to the other, and J
+// jumps.
 struct ActuatorGeometry {
   // `first`: the output that is the first actuator.
   ActuatorGeometry(const program::Program& geometry, std::size_t first);

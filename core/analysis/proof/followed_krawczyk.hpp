@@ -19,7 +19,14 @@
 //     J q' = l*',   J q'' = l*'' - J' q'                                                           (4)
 // with every matrix in J(X). J' q' is the acceleration of l along (q, q', 0), exactly. Of x with J x = b and x = x0 + y, x0 nearly right,
 //     y = z + R y,   z = Y (b - J x0),   R = I - Y J(X),                                           (5)
-// and when the rows of |R| sum to rho < 1 then |y| <= max|z| / (1 - rho), in units of the coordinates, from where (5) is run again.
+// and when the rows of |R| sum to rho < 1 then |y| <= max|z| / (1 - rho), in units of the coordinates, from where (5) is run again. What
+// follows of (4) is of first order in the span, more than the rates and accelerations vary themselves; that of
+//     q'(t) = q'(c) + q''(t~) (t - c),   q(t) = q(c) + q'(t~) (t - c)                              (6)
+// exceeds it by the second order. Rates that jump at an instant are not to be found by (6): neither l*' nor J jumps then.
+//
+// J(X) itself is sharpest where what it changes by along the path is told apart from what the box does to it,
+//     J(X) in J(q_c + D) + J'(X) (t - c),   J' along (q, v),                                       (7)
+// where J has no kink in X: near a singular surface Y is large, and Y J' is what there is of it, while Y J(X) is the sum of all its parts.
 #pragma once
 
 #include <core/analysis/proof/followed_frame.hpp>
@@ -61,12 +68,14 @@ class Krawczyk {
   Found find(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, const Offsets& include, Offsets& only, Offsets& within,
              int& rounds);
 
-  // Makes the offsets that a solution is known to have smaller. False: nothing is known of the geometry there, or there is no solution after
-  // all, which bounds of the actuators that contradict one another lead to.
+  // Makes the offsets that a solution is known to have smaller. False: nothing is known of the geometry there, or there is no solution
+  // after all, which bounds of the actuators that contradict one another lead to.
   bool contract(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, Offsets& within);
 
-  // Coordinates, rates and accelerations of the solution `within`. False where rates have no bounds.
-  bool enclose(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, const Offsets& within, mechanics::Bounded* out);
+  // Coordinates, rates and accelerations of the solution `within`. `steady`: l*' does not jump during `time`. False where rates have no
+  // bounds.
+  bool enclose(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, const Offsets& within, bool steady,
+               mechanics::Bounded* out);
 
   // The offsets that all of `box` has in another frame during `time`.
   static Offsets seen_from(const MovingFrame& frame, Bounds time, const MovingBox& box);

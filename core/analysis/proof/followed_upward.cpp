@@ -54,10 +54,11 @@ struct Krawczyk::Work {
   std::vector<Interval> in, out;
 
   // What follows of one span and one box.
-  Interval elapsed;                       // T - c
-  Numbers coordinates;                    // X
-  Matrix jacobian, turn, rest;            // J(X) = jacobian + J' (T - c) of (4); Y J'; R = I - Y J(X)
-  Numbers error_now, shift;               // F(0, c); -Y F(0, T)
+  Interval elapsed;             // T - c
+  Numbers coordinates;          // X
+  Matrix jacobian, turn, rest;  // J(X) = jacobian + J' (T - c) of (4); Y J'; R = I - Y J(X)
+  bool smooth = true;           // no kink in X
+  Numbers error_now, shift;     // F(0, c); -Y F(0, T)
 
   static double entry(const SmallMatrix& a, std::size_t i, std::size_t j) {
     return a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
@@ -87,7 +88,7 @@ struct Krawczyk::Work {
     }
     const std::size_t choices = static_cast<std::size_t>(geometry.choices), switches = geometry.outputs() - m;
     turning.run({in.data(), 2 * m}, {out.data(), switches + m * m});
-    bool smooth = true;
+    smooth = true;
     for (std::size_t c = 0; c < switches; ++c) {
       if (!out[c].bounded()) return Found::no_bounds;
       const bool open = out[c].width() != 0;
@@ -262,25 +263,45 @@ struct Krawczyk::Work {
     return true;
   }
 
-  bool enclose(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, const Offsets& within, mechanics::Bounded* bounded) {
-    elapsed = Interval(time) - Interval(frame.middle);
-    if (differentiate(frame, within) != Found::one) return false;
-    Numbers rate;
-    if (!solve(frame, numbers(prescribed.over, m, &mechanics::Bounded::rate), frame.velocity, rate)) return false;
-    for (std::size_t i = 0; i < m; ++i) bounded[i] = {coordinates[i].bounds(), rate[i].bounds(), Bounds{}};
-
+  // (4) of the box at hand. `rate` is known where this is true; whether `acceleration` is, its bounds tell.
+  bool find_rates(const MovingFrame& frame, const mechanics::Bounded* actuators, Numbers& rate, Numbers& acceleration) {
+    acceleration.fill(Interval::unbounded());
+    if (!solve(frame, numbers(actuators, m, &mechanics::Bounded::rate), frame.velocity, rate)) return false;
     for (std::size_t i = 0; i < m; ++i) in[i] = coordinates[i], in[m + i] = rate[i], in[2 * m + i] = Interval(0.0);
     in_time.run({in.data(), 3 * m}, {out.data(), 3 * geometry.outputs()});
-    Numbers left = numbers(prescribed.over, m, &mechanics::Bounded::acceleration);
+    Numbers left = numbers(actuators, m, &mechanics::Bounded::acceleration);
     SmallVector nearly = SmallVector::Zero(static_cast<Eigen::Index>(m));
     for (std::size_t k = 0; k < m; ++k) {
-      left[k] = left[k] - out[2 * geometry.outputs() + k];
+      left[k] -= out[2 * geometry.outputs() + k];
       if (!left[k].bounded()) return true;
-      for (std::size_t i = 0; i < m; ++i) nearly(static_cast<Eigen::Index>(i)) += entry(frame.inverse, i, k) * left[k].bounds().middle();
+      for (std::size_t i = 0; i < m; ++i) nearly(static_cast<Eigen::Index>(i)) += entry(frame.inverse, i, k) * left[k].middle();
     }
-    Numbers acceleration;
-    if (solve(frame, left, nearly, acceleration))
-      for (std::size_t i = 0; i < m; ++i) bounded[i].acceleration = acceleration[i].bounds();
+    if (!solve(frame, left, nearly, acceleration)) acceleration.fill(Interval::unbounded());
+    return true;
+  }
+
+  bool enclose(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, const Offsets& within, bool steady,
+               mechanics::Bounded* bounded) {
+    if (!start(frame, time, prescribed) || differentiate(frame, within) != Found::one) return false;
+    Numbers rate, acceleration;
+    if (!find_rates(frame, prescribed.over, rate, acceleration)) return false;
+    Numbers value = coordinates;
+    if (time.low < time.high) {  // (6)
+      const Interval since = elapsed;
+      const bool without_kink = smooth;
+      elapsed = Interval(0.0);
+      Numbers rate_now, acceleration_now;
+      if (differentiate(frame, with_zero(within)) == Found::one) {
+        find_shift(frame, {prescribed.at_middle, prescribed.at_middle});
+        const Offsets now = both(within, krawczyk(with_zero(within)));
+        const bool known = find_rates(frame, prescribed.at_middle, rate_now, acceleration_now);
+        for (std::size_t i = 0; i < m; ++i) {
+          if (known && without_kink && steady) rate[i] = common(rate[i], rate_now[i] + acceleration[i] * since);
+          value[i] = common(value[i], Interval(now[i]) + entry(frame.origin, i) + rate[i] * since);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < m; ++i) bounded[i] = {value[i].bounds(), rate[i].bounds(), acceleration[i].bounds()};
     return true;
   }
 
@@ -310,9 +331,9 @@ bool Krawczyk::contract(const MovingFrame& frame, Bounds time, const Prescribed&
   return round_upward([&] { return work_->contract(frame, time, prescribed, within); });
 }
 
-bool Krawczyk::enclose(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, const Offsets& within,
+bool Krawczyk::enclose(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, const Offsets& within, bool steady,
                        mechanics::Bounded* out) {
-  return round_upward([&] { return work_->enclose(frame, time, prescribed, within, out); });
+  return round_upward([&] { return work_->enclose(frame, time, prescribed, within, steady, out); });
 }
 
 Offsets Krawczyk::seen_from(const MovingFrame& frame, Bounds time, const MovingBox& box) {
