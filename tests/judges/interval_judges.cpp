@@ -78,9 +78,9 @@ void larger_range(mpfi_t r, const mpfi_t a, const mpfi_t b) {
   mpfr_max(&r->right, &a->right, &b->right, MPFR_RNDU);
 }
 
-// Of a function by the library: its bound, 2, 3 or 4, of which a number just below a power of two has twice as many, its own error, and one
-// each for two roundings.
-constexpr double circular = 7, arc = 10, hyperbolic = 13;
+// Of a function that is bounded by 2, 3 or 4 units: a number just below a power of two has twice as many of its last place, its own error
+// and one each for two roundings.
+constexpr double of_two = 7, of_three = 10, of_four = 13;
 
 }  // namespace
 
@@ -96,27 +96,27 @@ const std::vector<JudgedOperation>& judged_operations() {
       {"sqrt", 1, Operands::positive, 0, range_of_one<mpfi_sqrt>, value_of_one<arb_sqrt>},
       {"smaller", 2, Operands::any, 0, smaller_range, value_of_two<arb_min>},
       {"larger", 2, Operands::any, 0, larger_range, value_of_two<arb_max>},
-      {"hypot", 2, Operands::moderate, 3, range_of_two<mpfi_hypot>, value_of_two<arb_hypot>},
-      {"sin", 1, Operands::angle, circular, range_of_one<mpfi_sin>, value_of_one<arb_sin>},
-      {"cos", 1, Operands::angle, circular, range_of_one<mpfi_cos>, value_of_one<arb_cos>},
-      {"tan", 1, Operands::angle, circular, range_of_one<mpfi_tan>, value_of_one<arb_tan>},
-      {"asin", 1, Operands::unit, arc, range_of_one<mpfi_asin>, value_of_one<arb_asin>},
-      {"acos", 1, Operands::unit, arc, range_of_one<mpfi_acos>, value_of_one<arb_acos>},
-      {"atan", 1, Operands::any, arc, range_of_one<mpfi_atan>, value_of_one<arb_atan>},
-      {"atan2", 2, Operands::moderate, arc, range_of_two<mpfi_atan2>, value_of_two<arb_atan2>},
-      {"exp", 1, Operands::moderate, circular, range_of_one<mpfi_exp>, value_of_one<arb_exp>},
-      {"log", 1, Operands::positive, circular, range_of_one<mpfi_log>, value_of_one<arb_log>},
-      {"sinh", 1, Operands::moderate, hyperbolic, range_of_one<mpfi_sinh>, value_of_one<arb_sinh>},
-      {"cosh", 1, Operands::moderate, hyperbolic, range_of_one<mpfi_cosh>, value_of_one<arb_cosh>},
-      {"tanh", 1, Operands::moderate, hyperbolic, range_of_one<mpfi_tanh>, value_of_one<arb_tanh>},
+      {"hypot", 2, Operands::moderate, 3, range_of_two<mpfi_hypot>, value_of_two<arb_hypot>, 0x1p-480},
+      {"sin", 1, Operands::angle, of_three, range_of_one<mpfi_sin>, value_of_one<arb_sin>, 0x1p-30},
+      {"cos", 1, Operands::angle, of_three, range_of_one<mpfi_cos>, value_of_one<arb_cos>, 0x1p-30},
+      {"tan", 1, Operands::angle, of_two, range_of_one<mpfi_tan>, value_of_one<arb_tan>},
+      {"asin", 1, Operands::unit, of_three, range_of_one<mpfi_asin>, value_of_one<arb_asin>},
+      {"acos", 1, Operands::unit, of_three, range_of_one<mpfi_acos>, value_of_one<arb_acos>},
+      {"atan", 1, Operands::any, of_three, range_of_one<mpfi_atan>, value_of_one<arb_atan>},
+      {"atan2", 2, Operands::moderate, of_three, range_of_two<mpfi_atan2>, value_of_two<arb_atan2>},
+      {"exp", 1, Operands::moderate, of_two, range_of_one<mpfi_exp>, value_of_one<arb_exp>},
+      {"log", 1, Operands::positive, of_two, range_of_one<mpfi_log>, value_of_one<arb_log>},
+      {"sinh", 1, Operands::moderate, of_four, range_of_one<mpfi_sinh>, value_of_one<arb_sinh>},
+      {"cosh", 1, Operands::moderate, of_four, range_of_one<mpfi_cosh>, value_of_one<arb_cosh>},
+      {"tanh", 1, Operands::moderate, of_four, range_of_one<mpfi_tanh>, value_of_one<arb_tanh>},
       {"x^2", 1, Operands::any, 0, power_range<2, 1>, power_value<2, 1>},
-      {"x^3", 1, Operands::moderate, circular, power_range<3, 1>, power_value<3, 1>},
-      {"x^7", 1, Operands::moderate, circular, power_range<7, 1>, power_value<7, 1>},
-      {"x^-1", 1, Operands::moderate, circular, power_range<-1, 1>, power_value<-1, 1>},
-      {"x^-2", 1, Operands::moderate, circular, power_range<-2, 1>, power_value<-2, 1>},
-      {"x^0.5", 1, Operands::positive, circular, power_range<1, 2>, power_value<1, 2>},
-      {"x^1.7", 1, Operands::positive, circular, power_range<17, 10>, power_value<17, 10>},
-      {"x^-0.3", 1, Operands::positive, circular, power_range<-3, 10>, power_value<-3, 10>},
+      {"x^3", 1, Operands::moderate, of_two, power_range<3, 1>, power_value<3, 1>},
+      {"x^7", 1, Operands::moderate, of_two, power_range<7, 1>, power_value<7, 1>},
+      {"x^-1", 1, Operands::moderate, of_two, power_range<-1, 1>, power_value<-1, 1>},
+      {"x^-2", 1, Operands::moderate, of_two, power_range<-2, 1>, power_value<-2, 1>},
+      {"x^0.5", 1, Operands::positive, of_two, power_range<1, 2>, power_value<1, 2>},
+      {"x^1.7", 1, Operands::positive, of_two, power_range<17, 10>, power_value<17, 10>},
+      {"x^-0.3", 1, Operands::positive, of_two, power_range<-3, 10>, power_value<-3, 10>},
   };
   return all;
 }
@@ -229,22 +229,22 @@ double Judges::excess(const JudgedOperation& o, const Bounds& a, const Bounds& b
   const double low = mpfr_get_d(&r53_->left, MPFR_RNDD), high = mpfr_get_d(&r53_->right, MPFR_RNDU);
   if (!std::isfinite(low) || !std::isfinite(high)) return 0;
   if (!ours.bounded()) return std::numeric_limits<double>::infinity();
-  // Below, units are those of numbers that are smaller still: MPFI's have no least, and our bound of an error has 2^-1022 in it.
-  static constexpr double smallest = 0x1p-960;
-  const auto unit = [](double x) {
-    const double size = std::max(std::abs(x), smallest);
+  const auto unit = [&o](double x) {
+    const double size = std::max(std::abs(x), o.least);
     return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
   };
   return std::max((low - ours.low) / unit(low), (ours.high - high) / unit(high));
 }
 
-double Judges::error_of_point(const JudgedOperation& o, double at, double value) {
+double Judges::error_of_point(const JudgedOperation& o, double at, double value, double allowed) {
   arb_set_d(x_, at);
   o.value(z_, x_, x_, digits);
   const double truth = std::abs(arf_get_d(arb_midref(z_), ARF_RND_NEAR));
   arb_set_d(y_, value);
   arb_sub(z_, z_, y_, digits);
-  return std::abs(arf_get_d(arb_midref(z_), ARF_RND_NEAR)) / (std::nextafter(truth, std::numeric_limits<double>::infinity()) - truth);
+  const double error = std::abs(arf_get_d(arb_midref(z_), ARF_RND_NEAR));
+  if (error == 0) return 0;
+  return error / (allowed > 0 ? allowed : std::nextafter(truth, std::numeric_limits<double>::infinity()) - truth);
 }
 
 // By differences over 2^-60, 2^-40 for the second, with 400 digits: off by some 2^-80 times the next derivatives but one.

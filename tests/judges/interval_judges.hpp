@@ -29,9 +29,10 @@ struct JudgedOperation {
   const char* name;
   int operands;
   Operands from;
-  double ulps;  // how far our ends may be outside MPFI's best with 53 digits: units in the last place of that end
+  double ulps;  // how far our ends may be outside MPFI's best with 53 digits: units in the last place of that end, or of `least`
   void (*range)(mpfi_t r, const mpfi_t a, const mpfi_t b);
   void (*value)(arb_t r, const arb_t a, const arb_t b, slong digits);
+  double least = 0x1p-960;  // our bounds of errors have something in them that is no share of the result: 2^-1022, of most
 };
 const std::vector<JudgedOperation>& judged_operations();
 const JudgedOperation& judged_operation(const std::string& name);
@@ -50,8 +51,8 @@ class Judges {
   std::optional<std::string> wrong(const JudgedOperation& o, const Bounds& a, const Bounds& b, const Bounds& ours, std::mt19937_64& random);
   // How much they are wider than they need be, in units in the last place of an end; infinite: not bounded, where MPFI is.
   double excess(const JudgedOperation& o, const Bounds& a, const Bounds& b, const Bounds& ours);
-  // How far a value of an operation of one operand is off, in units in the last place of the true value.
-  double error_of_point(const JudgedOperation& o, double at, double value);
+  // How far a value of an operation of one operand is off, in units in the last place of the true value, or as a share of `allowed`.
+  double error_of_point(const JudgedOperation& o, double at, double value, double allowed = 0);
   // What is wrong with bounds on the first or the second derivative of an operation of one operand over it, at a point of it.
   std::optional<std::string> wrong_derivative(const JudgedOperation& o, int order, double at, const Bounds& ours);
 

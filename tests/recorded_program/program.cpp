@@ -46,7 +46,7 @@ TEST_CASE("what is no program is refused with a sentence that completes: the mec
       {{x0, x1, {Operation::both, 0, 1, 0, 0}}, {0}, "a number in the place of a comparison as step 3"},
       {{x0, {Operation::opposite, 0, 0, 0, 0}}, {0}, "a number in the place of a comparison as step 2"},
       {{x0, x1, {Operation::choose, 0, 0, 1, 0}}, {2}, "a number in the place of a comparison as step 3"},
-      {{x0, {static_cast<Operation>(24), 0, 0, 0, 0}}, {0}, "operation 24, which does not exist, as step 2"},
+      {{x0, {static_cast<Operation>(200), 0, 0, 0, 0}}, {0}, "operation 200, which does not exist, as step 2"},
       {{x0}, {1}, "a result that no step gives"},
       {{x0}, {-1}, "a result that no step gives"},
       {{x0, x1, {Operation::less, 0, 1, 0, 0}}, {2}, "a comparison as a result"},

@@ -45,5 +45,5 @@ TEST_CASE("more than can be recorded is refused when it is finished, whatever wa
   Recorded x = recorder.input(0);
   for (std::size_t i = 0; i < Program::most_steps; ++i) x = x + 1.0;
   const std::vector<Recorded> out = {recorder.input(0)};
-  CHECK_THROWS_WITH(recorder.finish(out), Catch::Contains("more operations than are looked at"));
+  CHECK_THROWS_WITH(recorder.finish(out), Catch::Contains("more operations than there is room for"));
 }
