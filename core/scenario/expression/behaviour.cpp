@@ -3,6 +3,7 @@
 #include <core/scenario/expression/behaviour.hpp>
 #include <core/scenario/expression/range.hpp>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 namespace pmreport::scenario {
@@ -162,7 +163,9 @@ class Observer {
       const int here = sign_of(now.value);
       if (sign * here < 0) {
         const Switch found = bisect(tale, old_time, time, sign);
-        if (found.after - found.before <= 1e-9 * (time - old_time)) out.push_back(found);  // else it stays zero: another switch began that
+        // Else it stays zero: another switch began that, or is this one. Beside a pole the times are near already, but not as near as that.
+        const double cell = time - old_time, nearest = 8 * std::numeric_limits<double>::epsilon() * std::abs(time);
+        if (found.after - found.before <= std::max(1e-9 * cell, std::min(nearest, cell / 16))) out.push_back(found);
       } else if (tale.singular && sign * here > 0 && now.rate * sign > 0 && old.rate * sign < 0) {
         touch(tale, old_time, time, sign, std::max(std::abs(old.value), std::abs(now.value)), out);
       } else if (tale.singular && here == 0 && i + 1 < closer_.size() && sign * sign_of(at(tale, closer_[i + 1]).value) > 0) {

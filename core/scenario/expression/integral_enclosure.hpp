@@ -3,7 +3,7 @@
 
 #include <core/program/bounds.hpp>
 #include <core/scenario/expression/expression.hpp>
-#include <core/scenario/expression/hulls.hpp>
+#include <memory>
 #include <mutex>
 #include <pmreport/jet.hpp>
 #include <vector>
@@ -22,20 +22,15 @@ class IntegralEnclosure {
   Jet<program::Bounds> over(program::Bounds time) const;
 
  private:
-  struct Panels {
-    std::vector<double> ends;             // one more than there are panels
-    std::vector<program::Bounds> values;  // of F at the ends
-    Hulls ranges;                         // of F in each panel
-  };
-  Panels panels() const;
-  program::Bounds values(const Panels& panels, program::Bounds time) const;
+  struct Panels;
+  std::shared_ptr<const Panels> panels() const;
 
   Expression f_;
   double start_;
   std::vector<double> times_;
   double magnitude_;
-  mutable std::once_flag once_;
-  mutable Panels panels_;
+  mutable std::once_flag once_{};
+  mutable std::shared_ptr<const Panels> panels_{};
 };
 
 }  // namespace pmreport::scenario

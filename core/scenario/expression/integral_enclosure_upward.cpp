@@ -1,4 +1,5 @@
 #include <core/program/rounding.hpp>
+#include <core/scenario/expression/hulls.hpp>
 #include <core/scenario/expression/integral_enclosure.hpp>
 #include <core/scenario/expression/sharp_series.hpp>
 
@@ -10,57 +11,70 @@ using program::Bounds;
 constexpr int order = 14;                         // even
 constexpr double nothing = 1e-15;                 // of the integral of |f|: what a panel may leave open
 constexpr int deepest = 52;                       // halvings beside a jump, until it is enclosed to the rounding of the time
-constexpr std::size_t most_panels = 1u << 18;     // beyond those given; then panels leave open what they do
-constexpr std::size_t most_evaluated = 1u << 23;  // terms, likewise: seconds
+constexpr std::size_t most_panels = 1u << 17;     // beyond those given; then panels leave open what they do
+constexpr std::size_t most_evaluated = 1u << 21;  // terms, likewise: seconds
+constexpr std::size_t most_kept = 1u << 15;       // panels whose series are kept
+constexpr double beside = 0x1p-26;                // of a panel: what is cut off at its ends, where switches stand
+constexpr int turns = 8;                          // halvings of a panel in which F may turn: a part in 4^8 of its range is left open
 
-// Integral of (t - m)^k from a to b.
-Interval moment(int k, const Interval& from, const Interval& to) {
-  return (pow(to, k + 1) - pow(from, k + 1)) / static_cast<double>(k + 1);
-}
-
-// The integral of an expression f over one panel, without dividing it.
+// An expression f over one panel, without dividing it.
+//
+// Where it is smooth, f(t) = sum of c_k (t - m)^k, k < K, + r (t - m)^K about the middle m, with r in f_K of the panel (Taylor). K is even
+// and (t - m)^K has one sign, so that its integral from a to t, too, has an r in f_K: all is a polynomial with an interval for its last
+// coefficient. Elsewhere f(t) is in f(m) + f'(T) (t - m), over the part that is asked for, or, where it jumps, in f(T).
 class Panel {
  public:
-  Panel(std::span<const Term> terms, double a, double b) : terms_(terms), span_(a, b) {
-    const Interval middle(span_.middle()), from = a - middle, to = b - middle;
-    const Series<2> rough = sharp_series(terms_, span_);
-    value_ = rough[0];
-    integral_ = rough[0] * (Interval(b) - a);
-    left_open_ = integral_.width();
-    if (rough.smooth > order)
-      by_series(middle, from, to);
-    else if (rough.smooth >= 0)
-      by_slope(rough, middle, from, to);
+  Panel(std::span<const Term> terms, double a, double b) : terms_(terms), a_(a) {
+    const Interval span(a, b), middle(span.middle());
+    thread_local std::vector<Series<order>> work;
+    evaluate_terms(terms, Series<order>::time(span), {}, work);
+    value_ = work.back()[0];
+    smooth_ = work.back().smooth > order && work.back()[order].bounded();
+    if (!smooth_) return;
+    middle_ = span.middle();
+    c_[order] = work.back()[order] / (order + 1.0);
+    evaluate_terms(terms, Series<order>::time(middle), {}, work);
+    for (int k = 0; k < order; ++k) c_[static_cast<std::size_t>(k)] = work.back()[k] / (k + 1.0);
+    before_ = polynomial(a, order);
   }
 
+  bool smooth() const { return smooth_; }
   const Interval& value() const { return value_; }  // f
-  const Interval& integral() const { return integral_; }
-  double left_open() const { return left_open_; }  // of the integral, where it is more than rounding
+
+  // From a to t.
+  Interval integral(double t) const {
+    if (t == a_) return Interval(0.0);
+    return smooth_ ? polynomial(t, order) - before_ : rough(t);
+  }
+  // Of the whole integral, where it is more than rounding.
+  double left_open(double b) const {
+    const Interval whole = integral(b);
+    if (!smooth_) return whole.width();
+    const Interval remainder = c_[order] * (pow(Interval(b) - middle_, order + 1) - pow(Interval(a_) - middle_, order + 1));
+    return remainder.width() <= 0.5 * whole.width() ? 0 : whole.width();
+  }
 
  private:
-  // f(m) + f'(T) (t - m), of which each half has an f' of its own.
-  void by_slope(const Series<2>& f, const Interval& middle, const Interval& from, const Interval& to) {
-    const Interval centre = sharp_series(terms_, middle)[0];
-    integral_ = common(integral_, centre * (to - from) + 0.5 * (f[1] * square(to)) - 0.5 * (f[1] * square(from)));
-    left_open_ = integral_.width();
+  Interval polynomial(double t, std::size_t k) const {
+    const Interval x = Interval(t) - middle_;
+    Interval sum = c_[k];
+    while (k-- > 0) sum = c_[k] + x * sum;
+    return x * sum;
   }
-
-  // Taylor's formula about m with the remainder f_K(T) (t - m)^K: K is even, and (t - m)^K has one sign, so that the integral of the
-  // remainder lies in f_K(T) times that of (t - m)^K.
-  void by_series(const Interval& middle, const Interval& from, const Interval& to) {
-    thread_local std::vector<Series<order>> work;
-    evaluate_terms(terms_, Series<order>::time(span_), {}, work);
-    const Interval remainder = work.back()[order] * moment(order, from, to);
-    evaluate_terms(terms_, Series<order>::time(middle), {}, work);
-    Interval sum(0.0);
-    for (int k = 0; k < std::min(order, work.back().degree + 1); ++k) sum = sum + work.back()[k] * moment(k, from, to);
-    integral_ = common(integral_, sum + remainder);
-    left_open_ = remainder.bounded() && remainder.width() <= sum.width() ? 0 : integral_.width();
+  Interval rough(double t) const {
+    const Interval span(a_, t), middle(span.middle()), from = a_ - middle, to = t - middle;
+    const Series<2> f = sharp_series(terms_, span);
+    const Interval all = f[0] * (to - from);
+    if (f.smooth < 0) return all;
+    const Interval centre = sharp_series(terms_, middle)[0];
+    return common(all, centre * (to - from) + 0.5 * (f[1] * square(to)) - 0.5 * (f[1] * square(from)));
   }
 
   std::span<const Term> terms_;
-  Interval span_, value_, integral_;
-  double left_open_ = 0;
+  double a_, middle_ = 0;
+  bool smooth_ = false;
+  Interval value_, before_;
+  std::array<Interval, order + 1> c_;
 };
 
 // F from a, or b, on, over the panel between them: one that rises or falls is between its ends.
@@ -73,68 +87,98 @@ class Divided {
  public:
   Divided(std::span<const Term> terms, double allowed, Interval start) : terms_(terms), allowed_(allowed), sum_(start) {}
 
+  // Switches are ends of what is given: most panels that are not smooth are so beside their ends alone.
   void add(double a, double b, int depth = 0) {
     const Panel panel(terms_, a, b);
-    const double middle = Interval(a, b).middle();
-    const bool good = panel.left_open() <= allowed_, last = depth == deepest || !(a < middle && middle < b);
+    const double middle = Interval(a, b).middle(), edge = beside * (b - a);
+    const bool good = panel.left_open(b) <= allowed_, last = depth == deepest || !(a < middle && middle < b);
     evaluated_ += terms_.size();
     if (!good && !last && extra_ < most_panels && evaluated_ < most_evaluated) {
       ++extra_;
+      if (depth == 0 && !panel.smooth() && a < a + edge && a + edge < b - edge && b - edge < b) {
+        add(a, a + edge, 1);
+        add(a + edge, b - edge, 1);
+        add(b - edge, b, 1);
+        return;
+      }
       add(a, middle, depth + 1);
       add(middle, b, depth + 1);
       return;
     }
     const Interval before = sum_;
-    sum_ = sum_ + panel.integral();
-    ranges.push_back(between(before, sum_, panel.value(), Interval(b) - a).bounds());
+    sum_ = sum_ + panel.integral(b);
+    ranges.push_back(range(panel, before, a, before, b, sum_, good ? turns : 0).bounds());
+    if (kept.size() == ends.size() - 1 && kept.size() < most_kept) kept.push_back(panel);
     ends.push_back(b);
     values.push_back(sum_.bounds());
   }
 
   std::vector<double> ends;
   std::vector<Bounds> values, ranges;
+  std::vector<Panel> kept;
 
  private:
+  // Of F from t to u, where it is `at_t` and `at_u`; it is `start` where the panel begins.
+  Interval range(const Panel& panel, const Interval& start, double t, const Interval& at_t, double u, const Interval& at_u,
+                 int halvings) const {
+    const Interval rate = sharp_series(terms_, Interval(t, u))[0], length = Interval(u) - t;
+    const double middle = Interval(t, u).middle();
+    const bool turns_back = rate.bounded() && rate.low() < 0 && rate.high > 0 && (rate * length).width() > 16 * allowed_;
+    if (!turns_back || halvings == 0 || !(t < middle && middle < u)) return between(at_t, at_u, rate, length);
+    const Interval at_middle = start + panel.integral(middle);
+    return hull(range(panel, start, t, at_t, middle, at_middle, halvings - 1),
+                range(panel, start, middle, at_middle, u, at_u, halvings - 1));
+  }
+
   std::span<const Term> terms_;
   double allowed_;
   Interval sum_;
   std::size_t extra_ = 0, evaluated_ = 0;
 };
 
-// F within one panel that begins at a, where it is `value`.
-Interval within(std::span<const Term> terms, double a, const Bounds& value, const Bounds& time) {
-  const Interval span(time), middle(span.middle()), away = span - middle;
-  const auto at = [&](double t) { return t > a ? Interval(value) + Panel(terms, a, t).integral() : Interval(value); };
-  const Series<2> f = sharp_series(terms, span);
-  const Interval centre = at(span.middle());
+// F within one panel, where it begins with `start`.
+Interval within(std::span<const Term> terms, const Panel& panel, const Interval& start, const Interval& span, const Series<2>& f) {
+  const Interval middle(span.middle()), away = span - middle, centre = start + panel.integral(span.middle());
   const Interval first = centre + f[0] * away;
-  if (f.smooth < 0) return first;
+  if (f.smooth < 0 || !(span.width() > 0)) return first;
   return common(first, centre + sharp_series(terms, middle)[0] * away + 0.5 * (f[1] * square(away)));
 }
 
 }  // namespace
 
-IntegralEnclosure::Panels IntegralEnclosure::panels() const {
-  Divided divided(f_.terms(), std::isfinite(magnitude_) ? nothing * magnitude_ : magnitude_, start_);
+struct IntegralEnclosure::Panels {
+  std::vector<double> ends;    // one more than there are panels
+  std::vector<Bounds> values;  // of F at the ends
+  std::vector<Panel> kept;     // the first of them
+  Hulls ranges;                // of F in each panel
+
+  // The panel that has t.
+  std::size_t of(double t) const {
+    return static_cast<std::size_t>(std::upper_bound(ends.begin() + 1, ends.end() - 1, t) - ends.begin()) - 1;
+  }
+  Interval within(std::span<const Term> terms, std::size_t i, double from, double to, const Series<2>* f) const {
+    const Interval span(from, to);
+    const Series<2> own = f != nullptr ? *f : sharp_series(terms, span);
+    return scenario::within(terms, i < kept.size() ? kept[i] : Panel(terms, ends[i], ends[i + 1]), Interval(values[i]), span, own);
+  }
+  // `f`: over that time.
+  Bounds over(std::span<const Term> terms, Bounds time, const Series<2>& f) const {
+    if (!(time.low >= ends.front() && time.high <= ends.back())) return {};
+    const std::size_t first = of(time.low), last = of(time.high);
+    if (first == last) return within(terms, first, time.low, time.high, &f).bounds();
+    const Interval outer =
+        hull(within(terms, first, time.low, ends[first + 1], nullptr), within(terms, last, ends[last], time.high, nullptr));
+    return last == first + 1 ? outer.bounds() : hull(outer, Interval(ranges.of(first + 1, last - 1))).bounds();
+  }
+};
+
+std::shared_ptr<const IntegralEnclosure::Panels> IntegralEnclosure::panels() const {
+  Divided divided(f_.terms(), std::isfinite(magnitude_) ? nothing * magnitude_ : std::numeric_limits<double>::infinity(), start_);
   divided.ends = {times_.front()};
   divided.values = {Bounds::exactly(start_)};
   for (std::size_t i = 1; i < times_.size(); ++i) divided.add(times_[i - 1], times_[i]);
-  return {std::move(divided.ends), std::move(divided.values), Hulls(divided.ranges)};
-}
-
-Bounds IntegralEnclosure::values(const Panels& panels, Bounds time) const {
-  const std::vector<double>& ends = panels.ends;
-  if (!(time.low >= ends.front() && time.high <= ends.back())) return {};
-  const auto panel = [&](double t) {
-    return static_cast<std::size_t>(std::upper_bound(ends.begin() + 1, ends.end() - 1, t) - ends.begin()) - 1;
-  };
-  const std::size_t first = panel(time.low), last = panel(time.high);
-  const auto part = [&](std::size_t i, double from, double to) {
-    return within(f_.terms(), ends[i], panels.values[i], {from, to}).bounds();
-  };
-  if (first == last) return part(first, time.low, time.high);
-  const Bounds outer = hull(part(first, time.low, ends[first + 1]), part(last, ends[last], time.high));
-  return last == first + 1 ? outer : hull(outer, panels.ranges.of(first + 1, last - 1));
+  return std::make_shared<const Panels>(
+      Panels{std::move(divided.ends), std::move(divided.values), std::move(divided.kept), Hulls(divided.ranges)});
 }
 
 Jet<Bounds> IntegralEnclosure::over(Bounds time) const {
@@ -142,7 +186,7 @@ Jet<Bounds> IntegralEnclosure::over(Bounds time) const {
     std::call_once(once_, [&] { panels_ = panels(); });
     const Series<2> f = sharp_series(f_.terms(), Interval(time));
     if (!f[0].bounded()) return {};
-    return {values(panels_, time), f[0].bounds(), f[1].bounds()};
+    return {panels_->over(f_.terms(), time, f), f[0].bounds(), f[1].bounds()};
   });
 }
 
