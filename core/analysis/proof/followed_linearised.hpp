@@ -75,16 +75,25 @@ class Linearised {
     return preconditioned(error);
   }
 
-  // Y (b - J(X) x0).
-  Numbers left_of(Numbers b, const SmallVector& x0) const {
+  // Y (b - J x0), J of the box at c, and Y J' x0: J(X) is the one and, (t - c) times, the other, or has all in the one where it has a kink.
+  Numbers left_at_middle(Numbers b, const SmallVector& x0) const {
     for (std::size_t k = 0; k < m_; ++k)
       for (std::size_t j = 0; j < m_; ++j) b[k] -= jacobian_[k][j] * entry(x0, j);
-    Numbers x = preconditioned(b);
+    return preconditioned(b);
+  }
+  Numbers turned(const SmallVector& x0) const {
+    Numbers x;
     for (std::size_t i = 0; i < m_; ++i) {
-      Interval turned(0.0);
-      for (std::size_t j = 0; j < m_; ++j) turned += turn_[i][j] * entry(x0, j);
-      x[i] -= turned * elapsed_;
+      x[i] = Interval(0.0);
+      for (std::size_t j = 0; j < m_; ++j) x[i] += turn_[i][j] * entry(x0, j);
     }
+    return x;
+  }
+  // Y (b - J(X) x0).
+  Numbers left_of(const Numbers& b, const SmallVector& x0) const {
+    Numbers x = left_at_middle(b, x0);
+    const Numbers more = turned(x0);
+    for (std::size_t i = 0; i < m_; ++i) x[i] -= more[i] * elapsed_;
     return x;
   }
 
@@ -95,7 +104,7 @@ class Linearised {
     return x;
   }
 
-  // (5): bounds of x with J x = b, around x0. False where there are none.
+  // (6): bounds of x with J x = b, around x0. False where there are none.
   bool solve(const Numbers& b, const SmallVector& x0, Numbers& x) const {
     const Numbers z = left_of(b, x0);
     double rho = 0, largest = 0;
@@ -121,11 +130,9 @@ class Linearised {
     return true;
   }
 
-  // (4): the rates; and the accelerations, of which nothing is known where they have no bounds.
+  // (5): the rates; and the accelerations, of which nothing is known where they have no bounds.
   bool find_rates(const mechanics::Bounded* actuators, Numbers& rate) const {
-    Numbers of_actuators;
-    for (std::size_t k = 0; k < m_; ++k) of_actuators[k] = Interval(actuators[k].rate);
-    return solve(of_actuators, frame_->velocity, rate);
+    return solve(numbers(actuators, &mechanics::Bounded::rate), frame_->velocity, rate);
   }
   Numbers find_accelerations(const mechanics::Bounded* actuators, const Numbers& rate) {
     Numbers unknown, left, acceleration;
@@ -141,11 +148,6 @@ class Linearised {
     return solve(left, nearly, acceleration) ? acceleration : unknown;
   }
 
-  static double entry(const SmallVector& a, std::size_t i) { return a(static_cast<Eigen::Index>(i)); }
-
- private:
-  double inverse(std::size_t i, std::size_t k) const { return frame_->inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)); }
-
   Numbers preconditioned(const Numbers& x) const {  // Y x
     Numbers y;
     for (std::size_t i = 0; i < m_; ++i) {
@@ -154,6 +156,16 @@ class Linearised {
     }
     return y;
   }
+
+  Numbers numbers(const mechanics::Bounded* actuators, Bounds mechanics::Bounded::*part) const {
+    Numbers x;
+    for (std::size_t k = 0; k < m_; ++k) x[k] = Interval(actuators[k].*part);
+    return x;
+  }
+  static double entry(const SmallVector& a, std::size_t i) { return a(static_cast<Eigen::Index>(i)); }
+
+ private:
+  double inverse(std::size_t i, std::size_t k) const { return frame_->inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)); }
 
   // A choice that is open; a kink that is.
   Found look_at_switches(const Interval* switches) {
@@ -166,7 +178,7 @@ class Linearised {
     return Found::one;
   }
 
-  // Y J' of (7), and whether there is one.
+  // Y J' of (8), and whether there is one.
   Found differentiate_along() {
     for (std::size_t i = 0; i < m_; ++i) in_[i] = coordinates_[i], in_[m_ + i] = Interval(entry(frame_->velocity, i));
     const std::size_t first = geometry_.outputs() - m_;

@@ -41,12 +41,18 @@ struct Krawczyk::Work {
                        [](const Interval& x) { return x.bounded(); });
   }
 
-  // (3), preconditioned.
-  void find_shift(const MovingFrame& frame, const mechanics::Bounded* actuators) {
-    Numbers rate;
-    for (std::size_t k = 0; k < m; ++k) rate[k] = Interval(actuators[k].rate);
-    const Numbers lag = near.left_of(rate, frame.velocity);
-    for (std::size_t i = 0; i < m; ++i) shift[i] = lag[i] * near.elapsed() - error_now[i];
+  // (3) and (4), preconditioned.
+  void find_shift(const MovingFrame& frame, const Prescribed& prescribed) {
+    const Interval elapsed = near.elapsed();
+    const Numbers lag = near.left_of(near.numbers(prescribed.over, &mechanics::Bounded::rate), frame.velocity);
+    for (std::size_t i = 0; i < m; ++i) shift[i] = lag[i] * elapsed - error_now[i];
+    if (!prescribed.steady || !near.smooth()) return;
+    const Numbers lag_now = near.left_at_middle(near.numbers(prescribed.at_middle, &mechanics::Bounded::rate), frame.velocity),
+                  turned = near.turned(frame.velocity),
+                  bent = near.preconditioned(near.numbers(prescribed.over, &mechanics::Bounded::acceleration));
+    const Interval half_square = square(elapsed) * 0.5;
+    for (std::size_t i = 0; i < m; ++i)
+      shift[i] = common(shift[i], lag_now[i] * elapsed + (bent[i] - turned[i]) * half_square - error_now[i]);
   }
 
   Offsets krawczyk(const Offsets& d) const {  // K(D)
@@ -96,7 +102,7 @@ struct Krawczyk::Work {
     rounds = 0;
     if (!start(frame, since(frame, time), prescribed.at_middle)) return Found::no_bounds;
     if (const Found f = near.differentiate(none()); f != Found::one) return f;
-    find_shift(frame, prescribed.over);
+    find_shift(frame, prescribed);
     const Offsets least = either(include, none());
     Offsets now = inflated(either(least, krawczyk(none())));
     while (rounds < most_rounds && !too_large(now)) {
@@ -119,7 +125,7 @@ struct Krawczyk::Work {
     for (int k = 0; k < most_contractions; ++k) {
       const Offsets before = within, with_zero = either(within, none());
       if (near.differentiate(with_zero) != Found::one) return k > 0;
-      find_shift(frame, prescribed.over);
+      find_shift(frame, prescribed);
       within = both(within, krawczyk(with_zero));
       bool shrinks = false;
       for (std::size_t i = 0; i < m; ++i) {
@@ -131,24 +137,23 @@ struct Krawczyk::Work {
     return true;
   }
 
-  bool enclose(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, const Offsets& within, bool steady,
-               mechanics::Bounded* out) {
+  bool enclose(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, const Offsets& within, mechanics::Bounded* out) {
     near.begin(frame, since(frame, time));
     Numbers rate;
     if (near.differentiate(within) != Found::one || !near.find_rates(prescribed.over, rate)) return false;
     const Numbers acceleration = near.find_accelerations(prescribed.over, rate);
     Numbers value = near.coordinates();
-    if (time.low < time.high) sharpen(frame, time, prescribed, within, steady && near.smooth(), acceleration, value, rate);
+    if (time.low < time.high) sharpen(frame, time, prescribed, within, prescribed.steady && near.smooth(), acceleration, value, rate);
     for (std::size_t i = 0; i < m; ++i) out[i] = {value[i].bounds(), rate[i].bounds(), acceleration[i].bounds()};
     return true;
   }
 
-  // (6).
+  // (7).
   void sharpen(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, const Offsets& within, bool rates_steady,
                const Numbers& acceleration, Numbers& value, Numbers& rate) {
     const Offsets with_zero = either(within, none());
     if (!start(frame, Interval(0.0), prescribed.at_middle) || near.differentiate(with_zero) != Found::one) return;
-    find_shift(frame, prescribed.at_middle);
+    find_shift(frame, {prescribed.at_middle, prescribed.at_middle, prescribed.steady});
     const Offsets now = both(within, krawczyk(with_zero));
     const Interval elapsed = since(frame, time);
     Numbers rate_now;
@@ -184,9 +189,9 @@ bool Krawczyk::contract(const MovingFrame& frame, Bounds time, const Prescribed&
   return round_upward([&] { return work_->contract(frame, time, prescribed, within); });
 }
 
-bool Krawczyk::enclose(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, const Offsets& within, bool steady,
+bool Krawczyk::enclose(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, const Offsets& within,
                        mechanics::Bounded* out) {
-  return round_upward([&] { return work_->enclose(frame, time, prescribed, within, steady, out); });
+  return round_upward([&] { return work_->enclose(frame, time, prescribed, within, out); });
 }
 
 Offsets Krawczyk::seen_from(const MovingFrame& frame, Bounds time, const MovingBox& box) {
