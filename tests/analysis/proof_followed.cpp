@@ -294,9 +294,9 @@ TEST_CASE("boxes that were not made large enough to hold the pose are seen not t
     analysis::Offsets point, only, within;
     point.fill(Bounds::exactly(0));
     int rounds = 0;
-    const analysis::Krawczyk::Prescribed prescribed{actuators.data(), at_middle.data()};
+    const analysis::Krawczyk::Prescribed prescribed{actuators.data(), at_middle.data(), true};
     REQUIRE(krawczyk.find(*frame, t, prescribed, point, only, within, rounds) == analysis::Krawczyk::Found::one);
-    return krawczyk.enclose(*frame, t, prescribed, inflate ? within : point, true, out);
+    return krawczyk.enclose(*frame, t, prescribed, inflate ? within : point, out);
   };
   const auto short_spans = [&](Bounds t, Bounded* out) { return over({t.low, std::min(t.high, t.low + 0.02)}, out); };
   std::mt19937_64 random(7);

@@ -115,7 +115,7 @@ Prover::Obstacle Prover::link(double next) {
   const Offsets start = Krawczyk::seen_from(*frame, Bounds::exactly(proved_), arrival_);
   Offsets include = start;
   if (const Obstacle o = find_path(*frame, link.time, include); o != Obstacle::none) return o;
-  const Krawczyk::Prescribed actuators{over.data(), at_middle.data()};
+  const Krawczyk::Prescribed actuators{over.data(), at_middle.data(), chain_.steady(link.time)};
   const auto look = [&](const Offsets& with) {
     return tools_.krawczyk.find(*frame, link.time, actuators, with, link.only, link.within, rounds_);
   };
@@ -124,8 +124,7 @@ Prover::Obstacle Prover::link(double next) {
   else if (found != Krawczyk::Found::one)
     return obstacle(found);
   if (!goes_on(next)) return Obstacle::unfollowed;
-  if (!tools_.krawczyk.enclose(*frame, link.time, actuators, link.within, chain_.steady(link.time), link.whole.data()))
-    return Obstacle::singular;
+  if (!tools_.krawczyk.enclose(*frame, link.time, actuators, link.within, link.whole.data())) return Obstacle::singular;
   if (const Obstacle o = arrive({link.frame, link.within}, next); o != Obstacle::none) return o;
   chain_.add(std::move(link));
   proved_ = next;

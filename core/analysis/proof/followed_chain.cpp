@@ -60,10 +60,10 @@ std::array<Bounded, 6> FollowedChain::within(const Link& link, Bounds time, Tool
   const double middle = time.middle();
   if (!prescribed(time, over.data()) || !prescribed(Bounds::exactly(middle), at_middle.data())) return out;
   const auto frame = tools.frames.at(middle, at_middle.data(), link.frame.origin + (middle - link.frame.middle) * link.frame.velocity);
-  const Krawczyk::Prescribed actuators{over.data(), at_middle.data()};
+  const Krawczyk::Prescribed actuators{over.data(), at_middle.data(), steady(time)};
   Offsets offsets;
   if (!frame || !find(link, time, *frame, actuators, tools, offsets) ||
-      !tools.krawczyk.enclose(*frame, time, actuators, offsets, steady(time), sharper.data()))
+      !tools.krawczyk.enclose(*frame, time, actuators, offsets, sharper.data()))
     return out;
   for (std::size_t i = 0; i < m; ++i) out[i] = both_of(out[i], sharper[i]);
   return out;

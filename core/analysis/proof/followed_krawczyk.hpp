@@ -13,19 +13,20 @@
 // sides, and (1) is the mean value theorem of Lipschitz functions. Frame and shape of D are free: they decide what can be proved, never
 // what is. F(0, T) is of second order in the span by the mean value theorem in time,
 //     F(0, t) = F(0, c) + (J~ v - l*'(t~)) (t - c),   J~ in J(X),                                  (3)
-// because v = Y l*'(c), nearly.
+// because v = Y l*'(c), nearly. Where l*' does not jump, and J neither, it is four times smaller by Taylor's theorem,
+//     F(0, t) = F(0, c) + (J(q_c) v - l*'(c)) (t - c) + (J'~ v - l*''(t~)) (t - c)^2 / 2.          (4)
 //
 // Rates and accelerations are the solutions of
-//     J q' = l*',   J q'' = l*'' - J' q'                                                           (4)
+//     J q' = l*',   J q'' = l*'' - J' q'                                                           (5)
 // with every matrix in J(X). J' q' is the acceleration of l along (q, q', 0), exactly. Of x with J x = b and x = x0 + y, x0 nearly right,
-//     y = z + R y,   z = Y (b - J x0),   R = I - Y J(X),                                           (5)
-// and when the rows of |R| sum to rho < 1 then |y| <= max|z| / (1 - rho), in units of the coordinates, from where (5) is run again. What
-// follows of (4) is of first order in the span, more than the rates and accelerations vary themselves; that of
-//     q'(t) = q'(c) + q''(t~) (t - c),   q(t) = q(c) + q'(t~) (t - c)                              (6)
-// exceeds it by the second order. Rates that jump at an instant are not to be found by (6): neither l*' nor J jumps then.
+//     y = z + R y,   z = Y (b - J x0),   R = I - Y J(X),                                           (6)
+// and when the rows of |R| sum to rho < 1 then |y| <= max|z| / (1 - rho), in units of the coordinates, from where (6) is run again. What
+// follows of (5) is of first order in the span, more than the rates and accelerations vary themselves; that of
+//     q'(t) = q'(c) + q''(t~) (t - c),   q(t) = q(c) + q'(t~) (t - c)                              (7)
+// exceeds it by the second order. Rates that jump at an instant are not to be found by (7): neither l*' nor J jumps then.
 //
 // J(X) itself is sharpest where what it changes by along the path is told apart from what the box does to it,
-//     J(X) in J(q_c + D) + J'(X) (t - c),   J' along (q, v),                                       (7)
+//     J(X) in J(q_c + D) + J'(X) (t - c),   J' along (q, v),                                       (8)
 // where J has no kink in X: near a singular surface Y is large, and Y J' is what there is of it, while Y J(X) is the sum of all its parts.
 #pragma once
 
@@ -53,9 +54,10 @@ class Krawczyk {
   Krawczyk(const ActuatorGeometry& geometry, const SmallVector& sizes);
   ~Krawczyk();
 
-  // The actuators, dof of them each: over the span, and at the frame's middle.
+  // The actuators, dof of them each: over the span, and at the frame's middle; `steady`: their rates do not jump meanwhile.
   struct Prescribed {
     const mechanics::Bounded *over, *at_middle;
+    bool steady = false;
   };
   enum class Found {
     one,        // exactly one solution at every instant
@@ -72,10 +74,8 @@ class Krawczyk {
   // after all, which bounds of the actuators that contradict one another lead to.
   bool contract(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, Offsets& within);
 
-  // Coordinates, rates and accelerations of the solution `within`. `steady`: l*' does not jump during `time`. False where rates have no
-  // bounds.
-  bool enclose(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, const Offsets& within, bool steady,
-               mechanics::Bounded* out);
+  // Coordinates, rates and accelerations of the solution `within`. False where rates have no bounds.
+  bool enclose(const MovingFrame& frame, Bounds time, const Prescribed& prescribed, const Offsets& within, mechanics::Bounded* out);
 
   // The offsets that all of `box` has in another frame during `time`.
   static Offsets seen_from(const MovingFrame& frame, Bounds time, const MovingBox& box);
