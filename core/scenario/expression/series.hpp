@@ -254,7 +254,7 @@ Series<K> atan2(const Series<K>& y, const Series<K>& x) {
 template <int K>
 Series<K> power(const Series<K>& x, double n) {
   const Series<K> a = n == std::round(n) ? x : in_domain(x, 0, std::numeric_limits<double>::infinity());
-  if (n == 0) return Series<K>(1);
+  if (n == 0) return begun(a[0] * 0.0 + 1.0, Series<K>(1));  // of a number that exists
   if (n == 1) return a;
   Series<K> y = begun(pow(a[0], n), a);
   if (y.degree == 0) return y;
