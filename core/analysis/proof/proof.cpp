@@ -3,6 +3,7 @@
 #include <core/analysis/proof/prover.hpp>
 #include <core/analysis/proof/recording_check.hpp>
 #include <core/mechanics/recorded/motion_program.hpp>
+#include <core/program/derivative.hpp>
 
 #include <algorithm>
 
@@ -29,7 +30,7 @@ MotionProof prove_motion(const mechanics::Machine& machine, const mechanics::Tra
     out.unexamined = "the motion follows from forces, by an integration whose error has no bound";
     return out;
   }
-  Prover prover(machine, *program, trajectory.over, {out.begin, out.end}, trajectory.knots, options);
+  Prover prover(machine, *program, program::in_time(program->program, 2), trajectory.over, {out.begin, out.end}, trajectory.knots, options);
   prover.run(out);
   return out;
 }
