@@ -20,8 +20,11 @@ struct Bounds {
   bool operator==(const Bounds&) const = default;
 
   friend Bounds hull(const Bounds& a, const Bounds& b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
-  // Of two that hold the same number.
-  friend Bounds common(const Bounds& a, const Bounds& b) { return {std::max(a.low, b.low), std::min(a.high, b.high)}; }
+  // Of two that hold the same number. Two that have none in common contradict each other, and nothing is known.
+  friend Bounds common(const Bounds& a, const Bounds& b) {
+    const Bounds out{std::max(a.low, b.low), std::min(a.high, b.high)};
+    return out.low <= out.high ? out : Bounds{};
+  }
 };
 
 }  // namespace pmreport::program

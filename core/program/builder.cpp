@@ -117,6 +117,10 @@ int Builder::known(const Step& s) {
       return step(a).operation == Operation::opposite ? step(a).a : -1;
     case Operation::choose:
       return s.b == s.c || is(a, 1) ? s.b : is(a, 0) ? s.c : -1;
+    case Operation::settled:
+      return is_constant(a) ? b : -1;
+    case Operation::uncut:
+      return is_constant(a) && is_constant(b) ? s.c : -1;
     default:
       return -1;
   }

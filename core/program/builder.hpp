@@ -11,6 +11,8 @@ namespace pmreport::program {
 
 class Builder {
  public:
+  explicit Builder(std::size_t expected = 256) { steps_.reserve(expected), numbers_.reserve(expected); }  // so many steps, more or fewer
+
   // The number of the step that gives what `s` says, whose operands are steps of this list: an old one, or a new one at the end. Folded as
   // Program tells. Masks that are known fold too, and then are constants 0 and 1 to choose, both, either, opposite alone.
   int add(Step s);

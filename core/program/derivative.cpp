@@ -54,13 +54,17 @@ class Rules {
       case Operation::hypot:  // (a a' + b b') / v
         return sum(product(quotient_by(s.a, v), da), product(quotient_by(s.b, v), db));
       case Operation::atan2:  // of (b, a): (b a' - a b') / (a^2 + b^2)
-        return sum(product(product(b, by_radius(s)), da), minus(product(product(a, by_radius(s)), db)));
+        return uncut(s, sum(product(product(b, by_radius(s)), da), minus(product(product(a, by_radius(s)), db))));
       case Operation::min:
         return chosen(list_.add(Operation::less, s.a, s.b), da, db);
       case Operation::max:
         return chosen(list_.add(Operation::less, s.a, s.b), db, da);
       case Operation::choose:
-        return chosen(s.a, db, dc);
+        return settled(s.a, chosen(s.a, db, dc));
+      case Operation::settled:
+        return settled(s.a, db);
+      case Operation::uncut:
+        return uncut(s, dc);
       default:
         return da.is_zero() ? Multiple() : product(slope(s, v), da);
     }
@@ -119,7 +123,8 @@ class Rules {
   Multiple sum(const Multiple& x, const Multiple& y) {
     if (x.is_zero()) return y;
     if (y.is_zero()) return x;
-    if (std::abs(x.factor) < std::abs(y.factor)) return sum(y, x);
+    const double first = std::abs(x.factor), second = std::abs(y.factor);
+    if (first < second || (first == second && x.factor < 0 && y.factor > 0)) return sum(y, x);
     if (x.step == y.step && x.factor == -y.factor) return {};
     if (x.step == y.step && x.factor == y.factor) return twice(x);
     const int other = written({y.step, std::abs(y.factor / x.factor)});
@@ -140,6 +145,13 @@ class Rules {
     const auto branch = [&](const Multiple& z) { return written({z.step, z.factor / factor}); };
     const int first = branch(x);
     return {list_.add(Operation::choose, mask, first, branch(y)), factor};
+  }
+
+  // The derivatives of what may jump.
+  Multiple settled(int mask, const Multiple& x) { return {list_.add(Operation::settled, mask, written({x.step, 1})), x.factor}; }
+  Multiple uncut(const Step& s, const Multiple& x) {
+    if (x.is_zero()) return {};
+    return {list_.add(Operation::uncut, s.a, s.b, x.step), x.factor};
   }
 
   // 1 / b; and x / b by it.
@@ -207,7 +219,7 @@ Multiple of_operand(const Step& s, int k, std::span<const Multiple> derivatives)
 }  // namespace
 
 Program partials(const Program& program, std::span<const int> by) {
-  Builder list;
+  Builder list(4 * program.steps().size());
   Rules rules(list);
   std::vector<std::vector<Multiple>> d(by.size(), std::vector<Multiple>(program.steps().size()));
   const std::vector<int> now = copy(program, list, [&](std::size_t i, const Step& s, int v) {
@@ -229,7 +241,7 @@ Program partials(const Program& program, std::span<const int> by) {
 }
 
 Program in_time(const Program& program, int order) {
-  Builder list;
+  Builder list(4 * program.steps().size());
   Rules rules(list);
   std::vector<Multiple> rate(program.steps().size()), acceleration(program.steps().size());
   const std::vector<int> now = copy(program, list, [&](std::size_t i, const Step& s, int v) {

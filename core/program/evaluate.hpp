@@ -10,6 +10,16 @@
 
 namespace pmreport::program {
 
+// Of numbers; an interval has its own (interval.hpp).
+template <class Mask, class T>
+const T& settled(const Mask&, const T& derivative) {
+  return derivative;
+}
+template <class T>
+const T& uncut(const T&, const T&, const T& derivative) {
+  return derivative;
+}
+
 // Keeps its buffers: one a thread.
 template <class T>
 class Evaluator {
@@ -92,6 +102,12 @@ class Evaluator {
         break;
       case Operation::choose:
         x = choose(mask(s.a), value(s.b), value(s.c));
+        break;
+      case Operation::settled:
+        x = settled(mask(s.a), value(s.b));
+        break;
+      case Operation::uncut:
+        x = uncut(value(s.a), value(s.b), value(s.c));
         break;
       case Operation::less:
         masks_[i] = value(s.a) < value(s.b);

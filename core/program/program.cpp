@@ -12,7 +12,7 @@ namespace {
 struct Form {
   const char* name;
   int operands;
-  bool of_masks;  // its operands are masks; of choose the first alone
+  bool of_masks;  // its operands are masks; of choose and settled the first alone
   bool mask;      // its value is one
 };
 constexpr Form forms[] = {
@@ -22,9 +22,10 @@ constexpr Form forms[] = {
     {"acos", 1, false, false},     {"abs", 1, false, false},    {"atan2", 2, false, false},  {"hypot", 2, false, false},
     {"less", 2, false, true},      {"both", 2, true, true},     {"either", 2, true, true},   {"opposite", 1, true, true},
     {"choose", 3, true, false},    {"square", 1, false, false}, {"min", 2, false, false},    {"max", 2, false, false},
+    {"settled", 2, true, false},   {"uncut", 3, false, false},
 };
 constexpr std::size_t operations = std::size(forms);
-static_assert(operations == static_cast<std::size_t>(Operation::max) + 1);
+static_assert(operations == static_cast<std::size_t>(Operation::uncut) + 1);
 
 const Form& form(Operation o) { return forms[static_cast<std::size_t>(o)]; }
 
@@ -38,7 +39,8 @@ void demand_sound(const Step& s, std::size_t number, std::span<const Step> befor
   const int operands[] = {s.a, s.b, s.c};
   for (int k = 0; k < form(s.operation).operands; ++k) {
     if (operands[k] < 0 || static_cast<std::size_t>(operands[k]) >= number) wrong("an operation on a step that is not before it");
-    const bool mask = form(s.operation).of_masks && (s.operation != Operation::choose || k == 0);
+    const bool first_alone = s.operation == Operation::choose || s.operation == Operation::settled;
+    const bool mask = form(s.operation).of_masks && (!first_alone || k == 0);
     if (gives_mask(before[static_cast<std::size_t>(operands[k])].operation) != mask)
       wrong(mask ? "a number in the place of a comparison" : "a comparison in the place of a number");
   }
@@ -93,7 +95,7 @@ Program::Program(std::span<const Step> steps, int inputs, std::span<const int> o
   }
 
   // What is needed, each once; and, since that leaves steps behind which nobody needs any more, of these again what is needed.
-  Builder builder;
+  Builder builder(steps.size());
   outputs_ = copy_needed(steps, outputs, [&](const Step& s) { return builder.add(s); });
   outputs_ = copy_needed(builder.steps(), outputs_, [&](const Step& s) {
     steps_.push_back(s);
@@ -101,10 +103,17 @@ Program::Program(std::span<const Step> steps, int inputs, std::span<const int> o
   });
 }
 
+// Its steps are sound, and each stands once.
 Program Program::slice(std::span<const int> outputs) const {
   std::vector<int> steps;
   for (const int o : outputs) steps.push_back(outputs_[static_cast<std::size_t>(o)]);
-  return Program(steps_, inputs_, steps);
+  Program out;
+  out.inputs_ = inputs_;
+  out.outputs_ = copy_needed(steps_, steps, [&](const Step& s) {
+    out.steps_.push_back(s);
+    return static_cast<int>(out.steps_.size()) - 1;
+  });
+  return out;
 }
 
 std::vector<std::uint64_t> Program::dependence() const {

@@ -38,7 +38,11 @@ enum class Operation : std::uint8_t {
   choose = PM_OP_CHOOSE,
   square = PM_OP_COUNT,
   min,
-  max
+  max,
+  // The first operands tell whether the last, the derivative of something, is one at all: of numbers it is passed on; of intervals nothing
+  // is known of it where that something jumps.
+  settled,  // of choose(a, ., .): b, unless the mask a is open
+  uncut     // of atan2(a, b): c, unless the interval of the angle is cut
 };
 int operands_of(Operation o);      // 0 to 3
 bool gives_mask(Operation o);      // less, both, either, opposite

@@ -3,7 +3,7 @@
 namespace pmreport::program {
 
 // The host's list also has the operations that are no longer the contract's: under their own numbers.
-Recorder::Recorder(const Program& start) : start_(start), steps_(Program::most_steps) {
+Recorder::Recorder(const Program& start) : start_(start), steps_(start.steps().size() + most_recorded) {
   list_ = {sizeof(pm_recording), steps_.data(), steps_.size(), start.steps().size(), nullptr};
   for (std::size_t i = 0; i < start.steps().size(); ++i) {
     const Step& s = start.steps()[i];
@@ -24,7 +24,7 @@ Program Recorder::finish(std::span<const Recorded> outputs) {
     const pm_step& s = steps_[i];
     steps.push_back({static_cast<Operation>(s.operation), s.a, s.b, s.c, s.constant});
   }
-  if (list_.count > steps_.size()) throw ProgramError("more operations than are looked at");
+  if (list_.count > steps_.size()) throw ProgramError("more operations than there is room for");
   return Program(steps, start_.inputs(), numbers);
 }
 

@@ -7,7 +7,9 @@
 #include <core/mechanics/trajectory/trajectory.hpp>
 #include <core/program/bounds.hpp>
 
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pmreport::analysis {
@@ -31,7 +33,7 @@ struct Claim {
     undecided,  // neither is certain
     unexamined  // not looked at, for the `reason`
   } state = State::unexamined;
-  std::string reason;
+  std::string reason;  // of unexamined; of a claim that is undecided from some time on, why
 
   struct Broken {        // a stretch of time in which the limit is left for certain
     Bounds begin, end;   // it begins, and ends, within; where the motion begins or ends with it, exactly there
@@ -61,24 +63,31 @@ struct Extreme {
 };
 
 struct MotionProof {
-  std::string unexamined;     // why nothing was looked at; empty: it was
-  double begin = 0, end = 0;  // [s]
-  int intervals = 0;          // of time, that the motion was cut into in the end
-  long evaluations = 0;       // of the geometry on an interval
-  bool exhausted = false;     // the bound on intervals was reached, and some claims are undecided for it
-  double resolution = 0;      // [s]: how finely begins and ends are told, at best
-  std::vector<Claim> claims;  // assembled; strokes in order; limits of joints in order; regular
+  std::string unexamined;                                       // why nothing was looked at; empty: it was
+  double recording = std::numeric_limits<double>::quiet_NaN();  // how far what was recorded is from what the plugin computes, relative, at
+                                                                // samples; NaN: not compared
+  double begin = 0, end = 0;                                    // [s]
+  int intervals = 0;                                            // of time, that the motion was cut into in the end
+  long evaluations = 0;                                         // of the geometry on an interval
+  bool exhausted = false;                                       // the bound on intervals was reached, and some claims are undecided for it
+  double resolution = 0;                                        // [s]: how finely begins and ends are told, at best
+  std::vector<Claim> claims;                                    // assembled; strokes in order; limits of joints in order; regular
   std::vector<Meeting> meetings;
-  std::vector<Extreme> extremes;  // of coordinates, derived quantities, actuators, their rates and accelerations, limited joints
+  std::vector<Extreme> extremes;  // of coordinates and actuators, their rates and accelerations; derived quantities and their rates; joints
 
   // The bracket of a column's extremes; nullptr: there is none.
   const Extreme* extreme(const ColumnId& column) const;
 };
 
 struct ProofOptions {
-  int most_intervals = 20000;  // on the whole
-  double finest = 1e-7;        // [s]: no interval is halved that is shorter
-  double bracket = 1e-6;       // of the range of a quantity: how near its brackets' ends come
+  int most_intervals = 20000;              // on the whole
+  double finest = 1e-7;                    // [s]: no interval is halved that is shorter
+  double bracket = 1e-6;                   // of the range of a quantity: how near the ends of its brackets come
+  double bracket_of_joints = 1e-4;         // the same of the motions of joints
+  double bracket_of_accelerations = 1e-2;  // the same of accelerations, whose own rates are not followed: theirs come near more slowly
+  long most_for_accelerations = 2000;      // evaluations: their brackets end where these do
+  // Values that brackets should tell from the extremes of their columns, as far as rounding lets them.
+  std::vector<std::pair<ColumnId, double>> decide = {};
 };
 
 // Of a motion by coordinates, waypoints or file, by the bounds of its trajectory (`over`); of one by actuators, by those of the actuators,

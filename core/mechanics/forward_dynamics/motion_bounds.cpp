@@ -2,6 +2,7 @@
 
 #include <core/linear/square.hpp>
 #include <core/linear/tolerance.hpp>
+#include <core/mechanics/model/joint_motion.hpp>
 
 #include <fmt/format.h>
 
@@ -18,13 +19,6 @@ constexpr double met_exactly = 1e-12;  // of a limit, or of one metre or radian:
 std::string shown(double value, Sense sense) {
   if (sense == Sense::linear) return fmt::format("{:.6g} mm", 1e3 * value);
   return fmt::format("{:.6g}°", value * 180 / std::numbers::pi);
-}
-
-// An angle from half a turn back to half a turn ahead tells nothing apart, and a deflection is never less than none.
-bool binds(const Joint& joint, const Range& range, bool upper) {
-  if (joint.kind == JointKind::prismatic) return false;  // it is the stroke of its actuator that counts
-  if (range.max - range.min >= 2 * std::numbers::pi * (1 - met_exactly)) return false;
-  return upper || joint.kind != JointKind::spherical || range.min > 0;
 }
 
 }  // namespace

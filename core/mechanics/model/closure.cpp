@@ -13,12 +13,6 @@ namespace {
 
 double angle_between(const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
-// Angle about `axis` that takes the direction of `from` into that of `to`, both seen along the axis.
-double angle_about(const Vector3d& axis, const Vector3d& from, const Vector3d& to) {
-  const Vector3d across = from - axis * axis.dot(from);
-  return std::atan2(axis.dot(across.cross(to)), across.dot(to));
-}
-
 }  // namespace
 
 std::vector<BodyState> bodies_at_rest(const Machine& machine, const Pose& pose) {
@@ -38,12 +32,12 @@ Closure::Closure(const Machine& machine) : machine_(machine) {
     const Joint& j = joints[i];
     const BodyState &a = bodies[static_cast<std::size_t>(j.a)], &b = bodies[static_cast<std::size_t>(j.b)];
     const auto seat = [&](const BodyState& body) {
-      Seat s{body.rotation.transpose() * (machine.centre(machine.home_pose(), static_cast<int>(i)) - body.origin), {}};
+      JointSeat s{body.rotation.transpose() * (machine.centre(machine.home_pose(), static_cast<int>(i)) - body.origin), {}};
       for (int k = 0; k < axes_of(j.kind); ++k)
         s.axis[k] = body.rotation.transpose() * machine.axis(machine.home_pose(), static_cast<int>(i), k);
       return s;
     };
-    Home h{seat(a), seat(b), a.rotation.transpose() * b.rotation, Vector3d::Zero()};
+    JointHome h{seat(a), seat(b), a.rotation.transpose() * b.rotation, Vector3d::Zero()};
     if (j.kind == JointKind::spherical) {
       const bool stud_is_a = j.stud == j.a;
       h.stud = j.from.isZero() ? Vector3d((stud_is_a ? b : a).rotation.transpose() * (stud_is_a ? a : b).rotation.col(2))
@@ -59,7 +53,7 @@ ClosureError Closure::error(const std::vector<BodyState>& bodies) const {
   const Topology& t = machine_.topology();
   for (std::size_t i = 0; i < home_.size(); ++i) {
     const Joint& j = t.joints[i];
-    const Home& h = home_[i];
+    const JointHome& h = home_[i];
     const BodyState &a = bodies[static_cast<std::size_t>(j.a)], &b = bodies[static_cast<std::size_t>(j.b)];
     Vector3d gap = b.origin + b.rotation * h.b.centre - a.origin - a.rotation * h.a.centre;  // (1)
     const Vector3d axis_a = a.rotation * h.a.axis[0];
@@ -95,31 +89,11 @@ ClosureError Closure::error(const std::vector<BodyState>& bodies) const {
 
 std::vector<double> Closure::motion(const std::vector<BodyState>& bodies, int joint) const {
   const Joint& j = machine_.topology().joints[static_cast<std::size_t>(joint)];
-  const Home& h = home_[static_cast<std::size_t>(joint)];
-  const BodyState &a = bodies[static_cast<std::size_t>(j.a)], &b = bodies[static_cast<std::size_t>(j.b)];
-  const Matrix3d R_AB = a.rotation.transpose() * b.rotation;
-  const Vector3d& axis = h.a.axis[0];
-  switch (j.kind) {
-    case JointKind::spherical: {
-      const bool stud_is_a = j.stud == j.a;
-      const BodyState &stud = stud_is_a ? a : b, &socket = stud_is_a ? b : a;
-      return {angle_between(socket.rotation * h.stud, stud.rotation.col(2))};
-    }
-    case JointKind::revolute:
-    case JointKind::cylindrical: {  // a direction of b across the axis, at home and now, both in the axes of a
-      const Vector3d across = axis.unitOrthogonal();
-      return {angle_about(axis, across, R_AB * h.relative.transpose() * across)};
-    }
-    case JointKind::universal: {  // b's second axis turns about the first in a; a's first axis turns the other way about the second in b
-      const Vector3d second_now = R_AB * h.b.axis[1], first_now = R_AB.transpose() * h.a.axis[0];
-      return {angle_about(axis, h.a.axis[1], second_now), -angle_about(h.b.axis[1], h.b.axis[0], first_now)};
-    }
-    case JointKind::prismatic: {
-      const Vector3d p_CaCb = b.origin + b.rotation * h.b.centre - a.origin - a.rotation * h.a.centre;
-      return {(a.rotation * axis).dot(p_CaCb)};
-    }
-  }
-  return {};
+  const auto placed = [&](int body) {
+    const BodyState& b = bodies[static_cast<std::size_t>(body)];
+    return Placed<double>{b.origin, b.rotation};
+  };
+  return joint_motion(j, home(joint), placed(j.a), placed(j.b));
 }
 
 }  // namespace pmreport::mechanics

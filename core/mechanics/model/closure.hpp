@@ -8,6 +8,7 @@
 // joint from home, which its limits bound.
 #pragma once
 
+#include <core/mechanics/model/joint_motion.hpp>
 #include <core/mechanics/model/state.hpp>
 
 namespace pmreport::mechanics {
@@ -25,21 +26,14 @@ class Closure {
   // `bodies`: all of them, base first, of which origins and rotations are read.
   ClosureError error(const std::vector<BodyState>& bodies) const;
 
+  const JointHome& home(int joint) const { return home_[static_cast<std::size_t>(joint)]; }
+
   // Motion of a joint from home, one value a limit: rotations and deflections [rad], travel [m]; signs and meaning as in plugin.h.
   std::vector<double> motion(const std::vector<BodyState>& bodies, int joint) const;
 
  private:
-  struct Seat {              // a joint as body X holds it, in the axes of X
-    Eigen::Vector3d centre;  // p_XC_X
-    Eigen::Vector3d axis[2];
-  };
-  struct Home {
-    Seat a, b;
-    Eigen::Matrix3d relative;  // R_AB
-    Eigen::Vector3d stud;      // spherical: z axis of the stud in the axes of the socket
-  };
   const Machine& machine_;
-  std::vector<Home> home_;
+  std::vector<JointHome> home_;
 };
 
 // The bodies of a pose that is PM_OK, at rest, for the functions above.

@@ -16,16 +16,18 @@ struct Recorded {
   std::vector<std::int32_t> outputs;
 };
 
-Recorded record(const pm_mechanism& table, const pm_instance* instance, std::size_t outputs) {
+// Into a list with room for so many steps, and for all that are looked at where these are not enough.
+Recorded record(const pm_mechanism& table, const pm_instance* instance, std::size_t outputs, std::size_t room = 4096) {
   using program::Program, program::ProgramError;
-  Recorded out{std::vector<pm_step>(Program::most_steps), std::vector<std::int32_t>(outputs, -1)};
+  Recorded out{std::vector<pm_step>(room), std::vector<std::int32_t>(outputs, -1)};
   pm_recording list{sizeof(pm_recording), out.steps.data(), out.steps.size(), 0, out.outputs.data()};
   std::string why;
   const pm_status status = contract::call(why, [&](pm_text* text) { return table.record(instance, &list, text); });
   if (status != PM_OK) throw ProgramError("the mechanism cannot record its geometry: " + why);
-  if (list.count > out.steps.size())
+  if (list.count > Program::most_steps)
     throw ProgramError(
-        fmt::format("the mechanism records {} operations, more than the {} that are looked at", list.count, out.steps.size()));
+        fmt::format("the mechanism records {} operations, more than the {} that are looked at", list.count, Program::most_steps));
+  if (list.count > room) return record(table, instance, outputs, Program::most_steps);
   out.steps.resize(list.count);
   return out;
 }

@@ -1,13 +1,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <core/scenario/expression/enclosure.hpp>
 #include <core/scenario/expression/integral.hpp>
+#include <core/scenario/expression/integral_enclosure.hpp>
 #include <core/scenario/motion/laws.hpp>
 #include <core/text/text.hpp>
 #include <memory>
 
 namespace pmreport::scenario {
 namespace {
+
+using program::Bounds;
 
 constexpr std::string_view rate_suffix = "_rate";
 
@@ -18,7 +22,11 @@ Law at_home(const Moved& m) {
           m.unit,
           {},
           [home](double) { return Jet<double>(home); },
-          fmt::format("{} = {}{}{} (home)", m.name, format_number(home * unit.per_si, 6), unit.label == "°" ? "" : " ", unit.label)};
+          fmt::format("{} = {}{}{} (home)", m.name, format_number(home * unit.per_si, 6), unit.label == "°" ? "" : " ", unit.label),
+          {},
+          {},
+          {},
+          at_rest(home)};
 }
 
 // How the expression of one of them behaves; nothing, told, where it wavers beyond all looking.
@@ -33,15 +41,16 @@ std::optional<Behaviour> behaviour_of(const Written& written, const std::string&
 
 // Nothing, told, where it has no finite value or derivative.
 std::optional<Law> from_value(const Moved& m, Written written, Behaviour behaviour, Diagnostics& diagnostics) {
-  const std::string description = fmt::format("{} = {}", m.name, printable(written.text));
+  const auto value = std::make_shared<const Expression>(std::move(written.expression));
   Law out{m.name,
           m.unit,
           written.place,
-          [expression = std::move(written.expression)](double t) { return expression.at(t); },
-          description,
+          [value](double t) { return value->at(t); },
+          fmt::format("{} = {}", m.name, printable(written.text)),
           std::move(behaviour.steps),
           std::move(behaviour.switches),
-          {}};
+          {},
+          [value](Bounds time) { return over(*value, time); }};
   out.breaks = breaks_of(out);
   if (!bounded(out, out.breaks, diagnostics)) return std::nullopt;
   return out;
@@ -52,7 +61,8 @@ std::optional<Law> from_value(const Moved& m, Written written, Behaviour behavio
 std::optional<Law> from_rate(const Moved& m, Written written, Behaviour behaviour, Diagnostics& diagnostics) {
   constexpr double good = 1e-9;  // of the way there and back
   const auto rate = std::make_shared<const Expression>(std::move(written.expression));
-  const Law itself{m.name, m.unit, written.place, [rate](double t) { return rate->at(t); }, "", behaviour.steps, behaviour.switches, {}};
+  const Law itself{m.name, m.unit, written.place, [rate](double t) { return rate->at(t); }, "", behaviour.steps, behaviour.switches,
+                   {},     {}};
   std::vector<mechanics::Break> breaks = breaks_of(itself);
   std::erase_if(breaks, [](const mechanics::Break& b) { return b.of == mechanics::Break::Of::acceleration; });
   for (mechanics::Break& b : breaks)  // of what is integrated they are one derivative higher
@@ -71,6 +81,11 @@ std::optional<Law> from_rate(const Moved& m, Written written, Behaviour behaviou
                     fmt::format("give {} itself", m.name));
     return std::nullopt;
   }
+  std::vector<double> times = behaviour.steps;
+  for (const Switch& s : behaviour.switches) times.insert(times.end(), {s.before, s.after});
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  const auto proved = std::make_shared<const IntegralEnclosure>(*rate, m.home, std::move(times), value->magnitude());
   return Law{m.name,
              m.unit,
              written.place,
@@ -81,7 +96,8 @@ std::optional<Law> from_rate(const Moved& m, Written written, Behaviour behaviou
              fmt::format("{}{} = {}", m.name, rate_suffix, printable(written.text)),
              std::move(behaviour.steps),
              std::move(behaviour.switches),
-             std::move(breaks)};
+             std::move(breaks),
+             [proved](Bounds time) { return proved->over(time); }};
 }
 
 const Entry* entry_of(const Value& table, const std::string& key) {

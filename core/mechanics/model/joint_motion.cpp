@@ -1,0 +1,14 @@
+#include <core/mechanics/model/joint_motion.hpp>
+
+#include <numbers>
+
+namespace pmreport::mechanics {
+
+bool binds(const Joint& joint, const Range& range, bool upper) {
+  constexpr double rounding = 1e-12;
+  if (joint.kind == JointKind::prismatic) return false;
+  if (range.max - range.min >= 2 * std::numbers::pi * (1 - rounding)) return false;
+  return upper || joint.kind != JointKind::spherical || range.min > 0;
+}
+
+}  // namespace pmreport::mechanics

@@ -1,0 +1,25 @@
+// The loops of a batch, in the vectors of the processor that they run on.
+#pragma once
+
+#include <core/program/program.hpp>
+
+#include <cstddef>
+#include <span>
+
+namespace pmreport::program {
+
+// One operation on a block of poses. Its numbers are places in a table of arrays.
+struct BlockStep {
+  Operation operation;
+  int to, a, b, c;
+  bool same_a, same_b, same_c;  // the array has one number, for all poses
+};
+
+// Does the steps on `count` poses, one after the other. `to` may be the array of an operand; else arrays do not overlap. Masks are numbers
+// here: one where they hold, else zero.
+using BlockKernel = void (*)(std::span<const BlockStep> steps, double* const* arrays, std::size_t count);
+
+// That of the plainest processor first, the best that this one runs last. All give the same digits.
+std::span<const BlockKernel> block_kernels();
+
+}  // namespace pmreport::program
