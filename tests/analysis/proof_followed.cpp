@@ -31,6 +31,10 @@ Sines sines_of(const Machine& machine, double share) {
   return out;
 }
 
+struct SmallNumbers {
+  double value[6], rate[6], acceleration[6];
+};
+
 void check_outside(const Outside& seen, int expected = 0) {
   CHECK(seen.looked_at > 0);
   CHECK(seen.value == expected);
@@ -83,6 +87,19 @@ TEST_CASE("coordinates that follow their actuators are within their bounds at ev
   CHECK(proof.spans > 0);
   REQUIRE(proof.over);
   check_outside(outside(motion, proof.over, proof.proved, 40, 1));
+}
+
+TEST_CASE("a mechanism that meets a singular surface is proved up to shortly before it") {
+  const auto machine = machine_of("4sps-spr");
+  const Followed motion(*machine, sines_of(*machine, 0.1), 10);
+  REQUIRE_FALSE(motion.trajectory.ending.empty());
+  const FollowedProof proof = motion.proof();
+  REQUIRE(proof.over);
+  SmallNumbers q;
+  CHECK(motion.trajectory.at(proof.proved.high - 1e-9, q.value, q.rate, q.acceleration));
+  CHECK_FALSE(motion.trajectory.at(proof.proved.high + 1e-5, q.value, q.rate, q.acceleration));
+  CHECK_THAT(proof.reason, Contains("one pose: the motion comes too near to a singular surface"));
+  check_outside(outside(motion, proof.over, proof.proved, 40, 8));
 }
 
 TEST_CASE("bounds of coordinates and of rates exceed what they take by the second order of the span") {

@@ -189,7 +189,7 @@ std::string Prover::in_words(Obstacle o) const {
     case Obstacle::unfollowed:
       return from() + " the motion was not followed" + (trajectory_.ending.empty() ? "" : ": it " + trajectory_.ending);
     default:
-      return from() + " the actuators are not proved to determine one pose: it comes too near to a singular surface";
+      return from() + " the actuators are not proved to determine one pose: the motion comes too near to a singular surface";
   }
 }
 
