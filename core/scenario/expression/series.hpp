@@ -119,6 +119,7 @@ template <int K>
 Series<K> square(const Series<K>& x) {
   Series<K> z = begun(square(x[0]), x);
   z.degree = std::min(K, 2 * x.degree);
+  if constexpr (K == 0) return z;
   for (int k = 1; k <= z.last(); ++k) {
     Interval pairs(0.0);
     for (int i = std::max(0, k - x.degree); 2 * i < k; ++i) pairs = pairs + x[i] * x[k - i];
