@@ -1,5 +1,6 @@
 #include <reports/section/common/proof_words.hpp>
 
+#include <core/mechanics/model/joint_words.hpp>
 #include <core/text/text.hpp>
 #include <reports/section/common/brackets.hpp>
 #include <reports/section/common/limits.hpp>
@@ -71,11 +72,15 @@ std::string farthest_words(const Proved& p, const ProvedClaim& c, const std::str
   const std::string& unit = unit_of(p, c);
   const double limit = worst->above ? c.range.max : c.range.min;
   const Apart told = show_apart(worst->worst.middle(), limit, unit);
-  return fmt::format(", at most{} by {} ({} at t = {}, its {} {})", whose.empty() ? "" : " " + whose, show(excess(c, *worst), unit, 3),
-                     told.value, time_words(worst->at), c.about == About::stroke ? "stroke" : "limit",
-                     c.about == About::joint_limit ? "is " + told.beside
-                     : worst->above                ? "ends at " + told.beside
-                                                   : "begins at " + told.beside);
+  std::string range;
+  if (c.about == About::stroke) {
+    range = fmt::format("its stroke {} at {}", worst->above ? "ends" : "begins", told.beside);
+  } else {
+    const Joint& joint = p.topology.joints[static_cast<std::size_t>(c.index)];
+    range = "its limit is " + told.beside + (joint.from.isZero() ? "" : " from " + mechanics::origin_of(p.topology, joint));
+  }
+  return fmt::format(", at most{} by {} ({} at t = {}, {})", whose.empty() ? "" : " " + whose, show(excess(c, *worst), unit, 3), told.value,
+                     time_words(worst->at), range);
 }
 
 // Claims about the same thing of every limb: strokes, or limits of joints of one letter.

@@ -1,5 +1,7 @@
 #include <reports/section/every_instant/every_instant.hpp>
 
+#include <core/text/units.hpp>
+#include <reports/section/common/brackets.hpp>
 #include <reports/section/common/words.hpp>
 
 #include <fmt/format.h>
@@ -67,6 +69,27 @@ EveryInstant::Claim result_of(const Proved& p, const ProvedClaim& c) {
   return out;
 }
 
+constexpr std::size_t meetings_shown = 24;
+
+// Where det G is zero, or may be; each happens within its times.
+document::Table table_of_meetings(const MotionProof& proof) {
+  document::Table table{"Where the motion meets a singular surface, or may: the times between which it is proved to happen.",
+                        {"what", "from t [s]", "to t [s]"},
+                        {false, true, true},
+                        {}};
+  for (const Meeting& m : proof.meetings) {
+    if (table.rows.size() == meetings_shown) break;
+    const Ends ends = ends_of(m.time, 1);
+    table.rows.push_back({m.what == Meeting::What::crossing ? "det G changes its sign"
+                          : m.what == Meeting::What::touch  ? "det G touches zero, or comes too near to tell"
+                                                            : "G may grow beyond all bounds",
+                          ends.low, ends.high});
+  }
+  if (proof.meetings.size() > meetings_shown)
+    table.caption += fmt::format(" The first {} of {}; all are in results.json.", meetings_shown, proof.meetings.size());
+  return table;
+}
+
 // One row a quantity, SI. Column names as in the other data.
 document::Data data_of(const std::vector<ExtremeShown>& extremes) {
   document::Data out{"every_instant",
@@ -105,7 +128,8 @@ Result every_instant_section(const Analysis& a, const Proved& p, const std::vect
             "Interval arithmetic on the recorded geometry of the plugin, rounding included, says what no sample can: what is true of "
             "all instants of a span of time. The motion is cut into as many spans as that takes, {} here; times are told to {} or "
             "better where rounding allows it.",
-            p.proof.intervals, show(p.proof.resolution, "s", 2))});
+            p.proof.intervals, format_number(1e6 * p.proof.resolution, 2) + " µs")});
+    if (!p.proof.meetings.empty() && !p.singular_everywhere) s.blocks.push_back(table_of_meetings(p.proof));
     const std::vector<ExtremeShown> extremes = extremes_shown(a, p);
     if (document::Table table = table_of_extremes(a, extremes); !table.rows.empty()) s.blocks.push_back(std::move(table));
     if (!extremes.empty()) {

@@ -43,21 +43,37 @@ double room(const ExtremeShown& e) {
 
 bool of_joint(const ExtremeShown& e) { return e.column.group == "joint_angle"; }
 
-// What is bounded, or moves: actuators, their rates and accelerations, and the joints nearest to their limits. The rest is in the data.
-std::vector<ExtremeShown> of_interest(const std::vector<ExtremeShown>& all) {
-  std::vector<ExtremeShown> out, joints;
+// One of the two extremes of a column.
+struct Row {
+  const ExtremeShown* shown;
+  bool largest;
+
+  const Bounds& bounds() const { return largest ? shown->extreme->largest : shown->extreme->least; }
+  double at() const { return largest ? shown->extreme->at_largest : shown->extreme->at_least; }
+  double limit() const { return largest ? shown->range.high : shown->range.low; }
+};
+
+// What is bounded, or moves: of strokes both ends; of rates and accelerations of actuators the end that is larger; of the joints nearest to
+// their limits the end that is nearer. The rest is in the data.
+std::vector<Row> of_interest(const std::vector<ExtremeShown>& all) {
+  std::vector<Row> out, joints;
   for (const ExtremeShown& e : all) {
-    if (!e.extreme->least.bounded() || !e.extreme->largest.bounded()) continue;
-    if (of_joint(e) && e.range.bounded()) joints.push_back(e);
-    if (e.column.group.starts_with("actuator")) out.push_back(e);
+    const Bounds &least = e.extreme->least, &largest = e.extreme->largest;
+    if (!least.bounded() || !largest.bounded()) continue;
+    if (e.column.group == "actuator") {
+      out.push_back({&e, false});
+      out.push_back({&e, true});
+    } else if (e.column.group.starts_with("actuator")) {
+      out.push_back({&e, largest.high >= -least.low});
+    } else if (of_joint(e) && e.range.bounded()) {
+      joints.push_back({&e, e.range.high - largest.high <= least.low - e.range.low});
+    }
   }
-  std::ranges::stable_sort(joints, {}, room);
-  if (joints.size() > joints_shown) joints.resize(joints_shown, joints.front());
+  std::ranges::stable_sort(joints, {}, [](const Row& r) { return room(*r.shown); });
+  if (joints.size() > joints_shown) joints.erase(joints.begin() + joints_shown, joints.end());
   out.insert(out.end(), joints.begin(), joints.end());
   return out;
 }
-
-std::string time_words(double t) { return format_number(t, 5); }
 
 }  // namespace
 
@@ -71,24 +87,22 @@ std::vector<ExtremeShown> extremes_shown(const Analysis& a, const Proved& p) {
 
 document::Table table_of_extremes(const Analysis& a, const std::vector<ExtremeShown>& extremes) {
   document::Table table{"Least and largest values: of the samples, and between which bounds those over every instant lie.",
-                        {"quantity", "range", "samples", "least, at every instant", "at t [s]", "largest, at every instant", "at t [s]"},
-                        {false, true, true, true, true, true, true},
+                        {"quantity", "", "limit", "of samples", "at every instant", "at t [s]"},
+                        {false, false, true, true, true, true},
                         {}};
-  const std::vector<ExtremeShown> shown = of_interest(extremes);
   std::size_t limited = 0, joints = 0;
   for (const ExtremeShown& e : extremes) limited += of_joint(e) && e.range.bounded();
-  for (const ExtremeShown& e : shown) {
-    const analysis::Extreme& x = *e.extreme;
-    const Bounds samples = sampled(a, e.column);
-    const double largest = std::max({std::abs(x.least.low), std::abs(x.largest.high), e.range.bounded() ? std::abs(e.range.high) : 0.0});
-    const DisplayUnit unit = display_unit(e.column.unit, largest);
-    const auto pair = [&](const Bounds& b, int digits) {
-      return typeset(format_number(b.low * unit.per_si, digits)) + " to " + typeset(format_number(b.high * unit.per_si, digits));
-    };
-    table.rows.push_back({fmt::format("{} [{}]", e.column.name, unit.label), e.range.bounded() ? pair(e.range, 4) : "",
-                          samples.low <= samples.high ? pair(samples, 5) : "", bracket_number(x.least, unit.per_si), time_words(x.at_least),
-                          bracket_number(x.largest, unit.per_si), time_words(x.at_largest)});
+  for (const Row& r : of_interest(extremes)) {
+    const ExtremeShown& e = *r.shown;
     joints += of_joint(e);
+    const Bounds samples = sampled(a, e.column);
+    const double size = std::max(std::abs(e.extreme->least.low), std::abs(e.extreme->largest.high));
+    const DisplayUnit unit = display_unit(e.column.unit, e.range.bounded() ? std::max(size, std::abs(e.range.high)) : size);
+    const auto number = [&](double si, int digits) { return typeset(format_number(si * unit.per_si, digits)); };
+    const double seen = r.largest ? samples.high : samples.low;
+    table.rows.push_back({fmt::format("{} [{}]", e.column.name, unit.label), r.largest ? "largest" : "least",
+                          std::isfinite(r.limit()) ? number(r.limit(), 5) : "", std::isfinite(seen) ? number(seen, 7) : "",
+                          bracket_number(r.bounds(), unit.per_si), format_number(r.at(), 5)});
   }
   if (joints < limited) table.caption += fmt::format(" Of {} limited motions of joints the {} nearest to their limits.", limited, joints);
   return table;
