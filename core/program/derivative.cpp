@@ -109,6 +109,12 @@ class Rules {
         const Multiple radial = sum(product(product(b, by_radius(s)), db), product(product(a, by_radius(s)), da));
         return sum(first(s, v, dda, ddb, ddc), minus(twice(product(dv, radial))));
       }
+      case Operation::min:
+      case Operation::max:
+      case Operation::abs: {  // their rates jump where they have a kink
+        const int other = s.operation == Operation::abs ? list_.constant(0) : s.b;
+        return settled(list_.add(Operation::less, s.a, other), first(s, v, dda, ddb, ddc));
+      }
       default:  // linear, piecewise at least
         return first(s, v, dda, ddb, ddc);
     }

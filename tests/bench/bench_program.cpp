@@ -21,8 +21,8 @@ using program::Program;
 
 namespace {
 
-constexpr int repetitions = 25;
-constexpr std::size_t row = 500, rows = 40;  // poses of a row of the grid, along the first coordinate; the rows' other coordinates
+constexpr int repetitions = 101;
+constexpr std::size_t row = 500, rows = 8;  // poses of a row of the grid, along the first coordinate; the rows' other coordinates
 
 host::PluginFile load(const std::string& name) { return host::load_plugin(PLUGINS "/" + name + ".so"); }
 
@@ -47,7 +47,7 @@ void print_sizes(const std::string& name) {
   const Program strokes = all.slice(numbers_from(static_cast<int>(machine.layout().actuator(0)), dof));
 
   std::vector<std::unique_ptr<Machine>> fresh;
-  constexpr int calls = 4;
+  constexpr int calls = 1;
   for (int k = 0; k < (repetitions + 1) * calls; ++k) fresh.push_back(machine.with(machine.values()));
   std::size_t next = 0;
   const Timing record = time_calls(repetitions, calls, [&](int) { return double(fresh[next++]->program()->steps().size()); });
@@ -56,7 +56,8 @@ void print_sizes(const std::string& name) {
   for (const Program* p : {&all, &strokes})
     fmt::print("   {:5} {:5} {:5} {:5}", operations(*p), operations(program::in_time(*p, 1)), operations(program::in_time(*p, 2)),
                operations(program::partials(*p, by)));
-  fmt::print("   {:7.2f} {:7.2f}\n", 1e3 * record.median, 1e3 * partial.median);
+  fmt::print("   {:5.2f} {:5.2f}   {:5.2f} {:5.2f}\n", 1e3 * record.median, 1e3 * record.fastest, 1e3 * partial.median,
+             1e3 * partial.fastest);
 }
 
 // The rows that are scanned.
@@ -97,16 +98,17 @@ void compare(const Machine& machine, const Grid& grid, const std::vector<Way>& w
         }
     }
   }
-  fmt::print("\n{}: actuator values along rows of {} poses\n{:52} {:>10} {:>10} {:>8}\n", machine.info().name, row, "", "Mposes/s",
-             "fastest", "ratio");
-  double first = 0;
+  fmt::print("\n{}: actuator values along rows of {} poses\n{:52} {:>10} {:>8} {:>10} {:>8}\n", machine.info().name, row, "", "Mposes/s",
+             "ratio", "fastest", "ratio");
+  Timing first{};
   for (const Way& way : ways) {
     const Timing t = time_calls(repetitions, rows, [&](int k) {
       way.run(grid.others[static_cast<std::size_t>(k)], out.data());
       return out[dof * row - 1];
     });
-    if (first == 0) first = t.median;
-    fmt::print("{:52} {:10.1f} {:10.1f} {:8.1f}\n", way.name, 1e-6 * row / t.median, 1e-6 * row / t.fastest, first / t.median);
+    if (first.median == 0) first = t;
+    fmt::print("{:52} {:10.1f} {:8.1f} {:10.1f} {:8.1f}\n", way.name, 1e-6 * row / t.median, first.median / t.median,
+               1e-6 * row / t.fastest, first.fastest / t.fastest);
   }
 }
 
@@ -180,7 +182,8 @@ void scan(const std::string& name) {
 
 int main() {
   fmt::print("operations, of everything and of the actuator values: the value, with rates, with accelerations, with partials\n");
-  fmt::print("{:14} {:>7}   {:^23}   {:^23}   {:>7} {:>7}\n", "", "scalars", "everything", "actuators", "record", "partials [ms]");
+  fmt::print("{:14} {:>7}   {:^23}   {:^23}   {:>11}   {}\n", "", "scalars", "everything", "actuators", "record [ms]",
+             "partials [ms], median and fastest");
   for (const char* name : {"p2prpu-prps", "4sps-spr", "delta", "5pus-upu", "gough", "2q-spr", "stewart", "parallel-cross", "par4"})
     print_sizes(name);
   for (const char* name : {"gough", "4sps-spr"}) scan(name);

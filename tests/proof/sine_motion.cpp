@@ -27,6 +27,17 @@ mechanics::Trajectory sine_motion(std::vector<Sine> sines, double duration, int 
   return out;
 }
 
+Law law_of(std::vector<Sine> sines) {
+  return [sines = std::move(sines)](long double t, long double* value, long double* rate, long double* acceleration) {
+    for (const Sine& s : sines) {
+      const long double angle = t * s.frequency + s.phase, w = s.frequency;
+      *value++ = s.amplitude * std::sin(angle) + s.middle;
+      *rate++ = s.amplitude * std::cos(angle) * w;
+      *acceleration++ = -s.amplitude * std::sin(angle) * w * w;
+    }
+  };
+}
+
 std::vector<Sine> three_frequencies(const mechanics::Machine& machine, double share, double duration) {
   std::vector<Sine> out;
   for (const Coordinate& c : machine.topology().coordinates) {

@@ -3,6 +3,7 @@
 
 #include <core/mechanics/model/machine.hpp>
 #include <core/mechanics/trajectory/trajectory.hpp>
+#include <tests/proof/law.hpp>
 
 #include <vector>
 
@@ -12,6 +13,8 @@ struct Sine {
   double middle, amplitude, frequency, phase;  // middle + amplitude sin(frequency t + phase)
 };
 
+// The same in extended precision.
+Law law_of(std::vector<Sine> sines);
 // From 0 to `duration` [s] with so many samples.
 mechanics::Trajectory sine_motion(std::vector<Sine> sines, double duration, int samples);
 

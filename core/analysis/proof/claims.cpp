@@ -25,22 +25,42 @@ std::vector<std::vector<Mark>> runs_of(std::vector<Mark> marks) {
 
 bool leaves_range(const Bounds& value, const Range& range) { return value.bounded() && (value.low > range.max || value.high < range.min); }
 
-// A stretch from mark `first` to mark `last` of a run, all broken alike; `from` to `to`: the marks that are not decided on either side of
-// it are in.
-Claim::Broken stretch(std::span<const Mark> marks, double from, double to) {
-  const Mark &first = marks.front(), &last = marks.back();
+// Marks of a run, by their places: broken at every instant from the first of them to the last, or at an instant of some.
+struct Row {
+  std::size_t first, last;
+  bool throughout;
+};
+std::vector<Row> rows_of(std::span<const Mark> run) {
+  std::vector<Row> out;
+  for (std::size_t k = 0; k < run.size(); ++k) {
+    if (!run[k].broken_within) continue;
+    const bool throughout = run[k].what == Mark::What::broken, alike = !out.empty() && run[out.back().last].above == run[k].above;
+    if (!alike)
+      out.push_back({k, k, throughout});
+    else if (throughout && !out.back().throughout)
+      out.back() = {k, k, true};
+    else if (throughout && out.back().last + 1 < k)
+      out.push_back({k, k, true});
+    else if (throughout || !out.back().throughout)
+      out.back().last = k;
+  }
+  return out;
+}
+
+// The stretch of a row. `beside`: it, and the undecided marks on either side of it.
+Claim::Broken stretch(std::span<const Mark> row, std::span<const Mark> beside, bool throughout) {
   Claim::Broken out;
-  out.above = first.above;
-  out.begin = {from, first.what == Mark::What::broken ? first.time.low : first.at};
-  out.end = {last.what == Mark::What::broken ? last.time.high : last.at, to};
+  out.above = row.front().above;
   // The farthest value is at least what is certain at some instant, and at most what bounds all of them.
   double certain = -infinite, bound = -infinite;  // beyond, counted away from the range
-  for (const Mark& m : marks) {
-    const double at_least = m.above ? m.value_at.low : -m.value_at.high, at_most = m.above ? m.value.high : -m.value.low;
-    if (at_least > certain) certain = at_least, out.at = m.at;
+  for (const Mark& m : beside) {
+    const double at_least = out.above ? m.value_at.low : -m.value_at.high, at_most = out.above ? m.value.high : -m.value.low;
+    if (m.broken_within && m.above == out.above && at_least > certain) certain = at_least, out.at = m.at;
     bound = std::max(bound, at_most);
   }
   out.worst = out.above ? Bounds{certain, bound} : Bounds{-bound, -certain};
+  out.begin = {beside.front().time.low, throughout ? row.front().time.low : out.at};
+  out.end = {throughout ? row.back().time.high : out.at, beside.back().time.high};
   return out;
 }
 
@@ -48,8 +68,7 @@ Claim::Broken stretch(std::span<const Mark> marks, double from, double to) {
 
 std::vector<OpenClaim> claims_of(const mechanics::Machine& machine, const mechanics::MotionProgram& program, const Quantities& quantities) {
   const Topology& t = machine.topology();
-  std::vector<OpenClaim> out{{{}, 0}};
-  out[0].claim.range = {0, infinite};
+  std::vector<OpenClaim> out{{{Claim::About::assembled, 0, 0, {0, infinite}, Claim::State::holds, "", {}, {}}, 0}};
   for (std::size_t i = 0; i < t.actuators.size(); ++i)
     out.push_back(
         {{Claim::About::stroke, static_cast<int>(i), 0, t.actuators[i].stroke, Claim::State::holds, "", {}, {}}, quantities.actuators[i]});
@@ -61,18 +80,32 @@ std::vector<OpenClaim> claims_of(const mechanics::Machine& machine, const mechan
     if (!mechanics::binds(j, range, true)) range.max = infinite;
     out.push_back({{Claim::About::joint_limit, joint, limit, range, Claim::State::holds, "", {}, {}}, quantities.joints[k]});
   }
+  for (const std::string& name : program.left_out) {
+    const auto joint = std::ranges::find(t.joints, name, &Joint::name);
+    for (std::size_t k = 0; k < joint->limits.size(); ++k)
+      if (mechanics::binds(*joint, joint->limits[k], false) || mechanics::binds(*joint, joint->limits[k], true))
+        out.push_back({{Claim::About::joint_limit,
+                        static_cast<int>(joint - t.joints.begin()),
+                        static_cast<int>(k),
+                        joint->limits[k],
+                        Claim::State::unexamined,
+                        "it counts from a slender body, whose spin the geometry leaves open",
+                        {},
+                        {}},
+                       -1});
+  }
   out.push_back({{Claim::About::regular, 0, 0, {0, 0}, Claim::State::holds, "", {}, {}}, -1});
   return out;
 }
 
-Judgement judge(const OpenClaim& c, const SpanFacts& span, const InstantFacts& middle) {
+Judgement judge(const OpenClaim& c, const SpanFacts& span, const Instants& instants) {
   if (c.claim.about == Claim::About::regular) {
     if (!span.placed) return Judgement::open;
     if (span.regular) return Judgement::holds;
     return Judgement::open;
   }
   const auto q = static_cast<std::size_t>(c.quantity);
-  const Bounds &value = span.value[q], &at_middle = middle.value[q];
+  const Bounds &value = span.value[q], &at_middle = instants.middle.value[q];
   const Range& range = c.claim.range;
   if (c.claim.about == Claim::About::assembled) {
     if (value.bounded() && value.low >= 0 && span.placed) return Judgement::holds;
@@ -82,10 +115,10 @@ Judgement judge(const OpenClaim& c, const SpanFacts& span, const InstantFacts& m
   if (!value.bounded()) return Judgement::open;
   if (range.min <= value.low && value.high <= range.max) return Judgement::holds;
   if (leaves_range(value, range)) return Judgement::broken;
-  // Rounding alone is left when the value at an instant is not known better than over all of the span.
+  // Rounding alone is left when the value at no instant is known better than over all of the span; at one alone it may jump.
   const bool met = (at_middle.low <= range.max && range.max < at_middle.high) || (at_middle.low < range.min && range.min <= at_middle.high);
-  if (met && value.width() <= 4 * at_middle.width()) return Judgement::hopeless;
-  return Judgement::open;
+  const double narrowest = std::min({at_middle.width(), instants.begin.value[q].width(), instants.end.value[q].width()});
+  return met && value.width() <= 4 * narrowest ? Judgement::hopeless : Judgement::open;
 }
 
 Mark mark(const OpenClaim& c, Judgement judged, const SpanFacts& span, const InstantFacts& middle) {
@@ -100,7 +133,8 @@ Mark mark(const OpenClaim& c, Judgement judged, const SpanFacts& span, const Ins
   const auto q = static_cast<std::size_t>(c.quantity);
   out.value = span.value[q];
   out.value_at = middle.value[q];
-  out.broken_within = judged == Judgement::broken || leaves_range(out.value_at, c.claim.range);
+  out.broken_within = judged == Judgement::broken ||
+                      ((middle.assembled || c.claim.about == Claim::About::assembled) && leaves_range(out.value_at, c.claim.range));
   const Bounds& told = out.broken_within ? out.value_at : out.value;
   out.above = out.broken_within ? told.low > c.claim.range.max : told.high > c.claim.range.max;
   return out;
@@ -108,21 +142,14 @@ Mark mark(const OpenClaim& c, Judgement judged, const SpanFacts& span, const Ins
 
 void conclude(Claim& claim, std::vector<Mark> marks) {
   for (const std::vector<Mark>& run : runs_of(std::move(marks))) {
-    bool any = false;
-    const auto alike = [&](std::size_t i, std::size_t k) {
-      return run[i].broken_within && run[k].broken_within && run[i].above == run[k].above;
-    };
-    for (std::size_t first = 0; first < run.size(); ++first) {
-      if (!run[first].broken_within || (first > 0 && alike(first - 1, first))) continue;
-      std::size_t last = first, before = first, after;
-      while (last + 1 < run.size() && alike(last, last + 1)) ++last;
-      while (before > 0 && !run[before - 1].broken_within) --before;
-      after = last;
-      while (after + 1 < run.size() && !run[after + 1].broken_within) ++after;
-      claim.broken.push_back(stretch(std::span(run).subspan(first, last - first + 1), run[before].time.low, run[after].time.high));
-      any = true;
+    const std::vector<Row> rows = rows_of(run);
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      const std::size_t from = r > 0 ? rows[r - 1].last + 1 : 0, to = r + 1 < rows.size() ? rows[r + 1].first : run.size();
+      const std::span<const Mark> all(run);
+      claim.broken.push_back(
+          stretch(all.subspan(rows[r].first, rows[r].last - rows[r].first + 1), all.subspan(from, to - from), rows[r].throughout));
     }
-    if (!any) claim.undecided.push_back({run.front().time.low, run.back().time.high});
+    if (rows.empty()) claim.undecided.push_back({run.front().time.low, run.back().time.high});
   }
   claim.state = !claim.broken.empty() ? Claim::State::broken : !claim.undecided.empty() ? Claim::State::undecided : Claim::State::holds;
 }

@@ -66,13 +66,14 @@ void ExtremeSearch::end_bounds() {
   }
 }
 
-bool ExtremeSearch::wants(Stage stage, const SpanFacts& span, const InstantFacts& middle) const {
+bool ExtremeSearch::wants(Stage stage, const SpanFacts& span, const Instants& instants) const {
   for (std::size_t q = 1; q < brackets_.size(); ++q) {
     if ((quantities_.all[q].order == OfMotion::acceleration) != (stage == Stage::accelerations)) continue;
     const Bounds& x = span.value[q];
     const Bracket& b = brackets_[q];
     if (!x.bounded()) return true;
-    const bool rounding_alone = x.width() <= 4 * middle.value[q].width();
+    const double narrowest = std::min({instants.begin.value[q].width(), instants.middle.value[q].width(), instants.end.value[q].width()});
+    const bool rounding_alone = x.width() <= 4 * narrowest;
     if (!rounding_alone && (x.low < b.least.high - b.tolerance || x.high > b.largest.low + b.tolerance)) return true;
   }
   return false;

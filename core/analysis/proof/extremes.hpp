@@ -2,6 +2,7 @@
 // no less than what bounds the spans that the motion is cut into.
 #pragma once
 
+#include <core/analysis/proof/claims.hpp>
 #include <core/analysis/proof/proof.hpp>
 #include <core/analysis/proof/spans.hpp>
 
@@ -24,7 +25,7 @@ class ExtremeSearch {
   // Whether this span keeps the two sides of some bracket farther apart than they may be, and a smaller one could do better: of values and
   // rates, or of accelerations.
   enum class Stage { values_and_rates, accelerations };
-  bool wants(Stage stage, const SpanFacts& span, const InstantFacts& middle) const;
+  bool wants(Stage stage, const SpanFacts& span, const Instants& instants) const;
 
   std::vector<Extreme> found(const mechanics::Machine& machine) const;
 

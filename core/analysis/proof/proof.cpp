@@ -4,6 +4,7 @@
 #include <core/analysis/proof/prover.hpp>
 #include <core/analysis/proof/recording_check.hpp>
 #include <core/mechanics/recorded/motion_program.hpp>
+#include <core/program/derivative.hpp>
 
 #include <algorithm>
 
@@ -62,7 +63,7 @@ MotionProof prove_motion(const mechanics::Machine& machine, const mechanics::Tra
     out.unexamined = k.beyond;
     return out;
   }
-  Prover prover(machine, *program, k.motion, k.time, trajectory.knots, options);
+  Prover prover(machine, *program, program::in_time(program->program, 2), k.motion, k.time, trajectory.knots, options);
   prover.run(out);
   if (k.time.high < out.end) leave_open(out, {k.time.high, out.end}, k.beyond);
   return out;

@@ -15,20 +15,22 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t at_first = 32;     // equal spans, to begin with
 constexpr std::size_t most_knots = 512;  // of which each is an end of a span from the beginning
 constexpr double least_share = 1e-8;     // of the motion: no span is halved that is shorter
+constexpr int assembly = 0;              // the first claim
 
 }  // namespace
 
-Prover::Prover(const mechanics::Machine& machine, const mechanics::MotionProgram& program, const mechanics::Enclosure& motion, Bounds whole,
-               const std::vector<double>& knots, const ProofOptions& options)
+Prover::Prover(const mechanics::Machine& machine, const mechanics::MotionProgram& program, const program::Program& moving,
+               const mechanics::Enclosure& motion, Bounds whole, const std::vector<double>& knots, const ProofOptions& options)
     : machine_(machine),
       quantities_(machine, program),
-      spans_(machine, program, quantities_, motion),
+      spans_(machine, program, moving, quantities_, motion),
       whole_(whole),
       knots_(knots),
       options_(options),
       finest_(std::min(options.finest, std::max(least_share * whole.width(), 4 * std::nextafter(whole.high, infinite) - 4 * whole.high))),
       claims_(claims_of(machine, program, quantities_)),
-      marks_(claims_.size()) {}
+      marks_(claims_.size()),
+      doubtful_(claims_.size()) {}
 
 // Where a span is cut: at the knot next to its middle, when there is one in its middle half; else in the middle.
 double Prover::cut(Bounds time) const {
@@ -53,8 +55,9 @@ std::vector<Prover::Leaf> Prover::first_spans() {
   spans_.at(Look::whole, times, ends);
   const std::size_t first = instants_.size();
   for (InstantFacts& f : ends) instants_.push_back(std::move(f));
-  std::vector<int> all(claims_.size());
-  for (std::size_t c = 0; c < all.size(); ++c) all[c] = static_cast<int>(c);
+  std::vector<int> all;
+  for (std::size_t c = 0; c < claims_.size(); ++c)
+    if (claims_[c].claim.reason.empty()) all.push_back(static_cast<int>(c));
   std::vector<Leaf> out;
   for (std::size_t k = 0; k + 1 < times.size(); ++k)
     out.push_back({{times[k], times[k + 1]}, &instants_[first + k], nullptr, &instants_[first + k + 1], {}, all, false});
@@ -102,48 +105,66 @@ bool Prover::spent(std::size_t more) const {
   return spans_.evaluations() + 2 * static_cast<long>(more) > 2 * static_cast<long>(options_.most_intervals);
 }
 
+Mark Prover::marked(const Leaf& leaf, int claim, Judgement judged) const {
+  Mark m = mark(claims_[static_cast<std::size_t>(claim)], judged, leaf.facts, *leaf.middle);
+  m.side_before = leaf.begin->side, m.side_after = leaf.end->side;
+  return m;
+}
+
 // Notes that a claim does not hold on a leaf, or may not.
 void Prover::close(const Leaf& leaf, int claim, Judgement judged) {
-  const auto c = static_cast<std::size_t>(claim);
-  Mark m = mark(claims_[c], judged, leaf.facts, *leaf.middle);
-  m.side_before = leaf.begin->side, m.side_after = leaf.end->side;
-  marks_[c].push_back(m);
+  marks_[static_cast<std::size_t>(claim)].push_back(marked(leaf, claim, judged));
+}
+
+// All that is still open on a leaf is not decided.
+void Prover::close_rest(Leaf& leaf) {
+  for (const int c : leaf.open) {
+    if (leaf.assembled || c == assembly)
+      close(leaf, c, Judgement::open);
+    else
+      doubtful_[static_cast<std::size_t>(c)].push_back(marked(leaf, c, Judgement::open));
+  }
+  leaf.open.clear();
 }
 
 // Judges what is open on a leaf. What holds is closed; what cannot be known better is closed with a mark. Whether the rest asks for halves.
 bool Prover::judge_all(Leaf& leaf) {
   std::vector<int> still;
-  bool assembled = true;  // where that is not judged any more, it is
+  const bool brief = leaf.time.width() < 1e-3 * whole_.width();
+  const auto at_all_instants = [&](auto&& what) { return what(*leaf.begin) && what(*leaf.middle) && what(*leaf.end); };
   for (const int c : leaf.open) {
     const OpenClaim& claim = claims_[static_cast<std::size_t>(c)];
-    const bool about_assembly = claim.claim.about == Claim::About::assembled;
-    const Judgement judged = judge(claim, leaf.facts, *leaf.middle);
-    if (about_assembly) assembled = leaf.assembled = judged == Judgement::holds;
-    if (about_assembly && judged == Judgement::broken) {
-      close(leaf, c, judged);
-      return false;  // nothing else has a meaning there
+    Judgement judged = judge(claim, leaf.facts, leaf.instants());
+    if (c == assembly) {
+      if (judged == Judgement::broken) {
+        close(leaf, c, judged);
+        return false;  // nothing else has a meaning there
+      }
+      leaf.assembled = judged == Judgement::holds;
+      const auto open = [](const InstantFacts& f) { return !f.assembled && !(f.value[0].bounded() && f.value[0].high < 0); };
+      if (!leaf.assembled && brief && at_all_instants(open)) judged = Judgement::hopeless;
+    } else if (judged == Judgement::open && brief && leaf.assembled) {
+      // What no instant of three tells is so for a while: G that is singular as far as rounding tells, a number without bounds.
+      const auto q = static_cast<std::size_t>(claim.quantity);
+      const bool about_regularity = claim.claim.about == Claim::About::regular;
+      const auto untold = [&](const InstantFacts& f) { return about_regularity ? f.side == 0 : !f.value[q].bounded(); };
+      if (at_all_instants(untold)) judged = Judgement::hopeless;
     }
-    if (judged == Judgement::holds) continue;
-    if (judged == Judgement::broken || judged == Judgement::hopeless)
-      close(leaf, c, judged);
-    else
+    const bool settled = c == assembly || leaf.assembled;  // where there may be no pose nothing else is broken
+    if (judged == Judgement::open || (judged != Judgement::holds && !settled))
       still.push_back(c);
-  }
-  // G that is singular at the middle and at both ends, as far as rounding tells, is so for a while.
-  if (leaf.begin->side == 0 && leaf.middle->side == 0 && leaf.end->side == 0 && leaf.time.width() < 1e-3 * whole_.width()) {
-    const auto regular =
-        std::ranges::find_if(still, [&](int c) { return claims_[static_cast<std::size_t>(c)].claim.about == Claim::About::regular; });
-    if (regular != still.end() && assembled) {
-      close(leaf, *regular, Judgement::open);
-      still.erase(regular);
+    else if (judged != Judgement::holds)
+      close(leaf, c, judged);
+    if (c == assembly && judged == Judgement::hopeless) {  // nor will anything else be told
+      leaf.open.erase(leaf.open.begin());
+      close_rest(leaf);
+      return false;
     }
   }
   leaf.open = std::move(still);
   if (leaf.open.empty()) return false;
   if (divisible(leaf)) return true;
-  for (const int c : leaf.open)
-    if (assembled || claims_[static_cast<std::size_t>(c)].claim.about == Claim::About::assembled) close(leaf, c, Judgement::open);
-  leaf.open.clear();
+  close_rest(leaf);
   return false;
 }
 
@@ -163,7 +184,7 @@ void Prover::settle_claims() {
       }
       if (halve) {
         exhausted_ = true;
-        for (const int c : leaf.open) close(leaf, c, Judgement::open);
+        close_rest(leaf);
       }
       leaves_.push_back(std::move(leaf));
     }
@@ -187,7 +208,7 @@ std::vector<Extreme> Prover::extremes() {
       std::size_t many = 0;
       for (std::size_t k = 0; k < leaves_.size(); ++k) {
         const Leaf& leaf = leaves_[k];
-        chosen[k] = leaf.assembled && divisible(leaf) && search.wants(stage, leaf.facts, *leaf.middle);
+        chosen[k] = leaf.assembled && divisible(leaf) && search.wants(stage, leaf.facts, leaf.instants());
         many += chosen[k];
       }
       if (many == 0) break;
@@ -220,12 +241,13 @@ void Prover::halve(const std::vector<bool>& chosen) {
   leaves_ = std::move(kept);
 }
 
-void Prover::run(MotionProof& out) {
-  settle_claims();
-  out.intervals = static_cast<int>(leaves_.size());
-  out.extremes = extremes();
+void Prover::conclude_all(MotionProof& out) {
+  std::vector<Bounds> unknown;  // where it is not decided whether the mechanism can be assembled, and not beside where it cannot
   for (std::size_t c = 0; c < claims_.size(); ++c) {
     Claim& claim = claims_[c].claim;
+    for (const Mark& m : doubtful_[c])
+      if (std::ranges::any_of(unknown, [&](const Bounds& t) { return t.low <= m.time.low && m.time.high <= t.high; }))
+        marks_[c].push_back(m);
     if (claim.about == Claim::About::regular) {
       out.meetings = meetings_of(marks_[c]);
       for (const Meeting& m : out.meetings) {
@@ -233,11 +255,19 @@ void Prover::run(MotionProof& out) {
         if (m.what == Meeting::What::crossing) claim.state = Claim::State::broken;
       }
       if (claim.state != Claim::State::broken && !out.meetings.empty()) claim.state = Claim::State::undecided;
-    } else {
+    } else if (claim.reason.empty()) {
       conclude(claim, std::move(marks_[c]));
     }
+    if (c == assembly) unknown = claim.undecided;
     out.claims.push_back(std::move(claim));
   }
+}
+
+void Prover::run(MotionProof& out) {
+  settle_claims();
+  out.intervals = static_cast<int>(leaves_.size());
+  out.extremes = extremes();
+  conclude_all(out);
   out.evaluations = spans_.evaluations();
   out.exhausted = exhausted_;
   out.resolution = finest_;

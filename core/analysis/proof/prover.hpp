@@ -13,9 +13,10 @@ namespace pmreport::analysis {
 // Spans are halved in generations, the coarsest first, so that a bound on their number leaves the finest open. One object, one proof.
 class Prover {
  public:
-  // `knots`: times at which the motion may be anything but smooth, rising; spans are cut there where they can be.
-  Prover(const mechanics::Machine& machine, const mechanics::MotionProgram& program, const mechanics::Enclosure& motion, Bounds whole,
-         const std::vector<double>& knots, const ProofOptions& options);
+  // `moving`: the program with its rates and accelerations (program::in_time). `knots`: times at which the motion may be anything but
+  // smooth, rising; spans are cut there where they can be.
+  Prover(const mechanics::Machine& machine, const mechanics::MotionProgram& program, const program::Program& moving,
+         const mechanics::Enclosure& motion, Bounds whole, const std::vector<double>& knots, const ProofOptions& options);
 
   // `out` has begin and end; gets the rest.
   void run(MotionProof& out);
@@ -27,6 +28,8 @@ class Prover {
     SpanFacts facts;
     std::vector<int> open;   // claims
     bool assembled = false;  // at every instant of it
+
+    Instants instants() const { return {*begin, *middle, *end}; }
   };
 
   std::vector<Leaf> first_spans();
@@ -34,7 +37,10 @@ class Prover {
   std::pair<Leaf, Leaf> halves(Leaf&& leaf) const;
   void look(Look look, std::vector<Leaf>& leaves);
   bool divisible(const Leaf& leaf) const;
+  Mark marked(const Leaf& leaf, int claim, Judgement judged) const;
   void close(const Leaf& leaf, int claim, Judgement judged);
+  void close_rest(Leaf& leaf);
+  void conclude_all(MotionProof& out);
   bool judge_all(Leaf& leaf);
   bool spent(std::size_t more) const;
   void settle_claims();
@@ -50,8 +56,9 @@ class Prover {
   double finest_;
   std::deque<InstantFacts> instants_;  // all that were looked at; their places stay
   std::vector<OpenClaim> claims_;
-  std::vector<std::vector<Mark>> marks_;  // of each claim
-  std::vector<Leaf> leaves_;              // spans that are not halved any more
+  std::vector<std::vector<Mark>> marks_;     // of each claim
+  std::vector<std::vector<Mark>> doubtful_;  // of each: not decided where it is not either whether the mechanism can be assembled
+  std::vector<Leaf> leaves_;                 // spans that are not halved any more
   bool exhausted_ = false;
 };
 

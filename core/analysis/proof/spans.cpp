@@ -16,6 +16,9 @@ constexpr std::size_t block = 64;  // spans at a time
 
 bool all_bounded(std::span<const Bounds> x) { return std::ranges::all_of(x, &Bounds::bounded); }
 
+// Bounds that hold nothing, or are no numbers, tell nothing.
+Bounds sane(const Bounds& x) { return x.low <= x.high ? x : Bounds{}; }
+
 linear::Matrix6d middle_of(std::span<const Bounds, 36> wrenches) {
   linear::Matrix6d out;
   for (std::size_t e = 0; e < 36; ++e) out(static_cast<Eigen::Index>(e / 6), static_cast<Eigen::Index>(e % 6)) = wrenches[e].middle();
@@ -70,9 +73,9 @@ void Spans::run(Timed& timed, std::size_t count, auto&& time_of) {
   for (std::size_t k = 0; k < count; ++k) {
     const bool known = motion_(time_of(k), moved_.data());
     for (std::size_t i = 0; i < dof_; ++i) {
-      in_[i * count + k] = known ? moved_[i].value : Bounds{};
-      in_[(dof_ + i) * count + k] = known ? moved_[i].rate : Bounds{};
-      in_[(2 * dof_ + i) * count + k] = known ? moved_[i].acceleration : Bounds{};
+      in_[i * count + k] = known ? sane(moved_[i].value) : Bounds{};
+      in_[(dof_ + i) * count + k] = known ? sane(moved_[i].rate) : Bounds{};
+      in_[(2 * dof_ + i) * count + k] = known ? sane(moved_[i].acceleration) : Bounds{};
     }
   }
   timed.boxes.run(count, in_.data(), out_.data());

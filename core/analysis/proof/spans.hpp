@@ -13,7 +13,6 @@
 #include <core/mechanics/trajectory/trajectory.hpp>
 #include <core/program/bounds.hpp>
 #include <core/program/boxes.hpp>
-#include <core/program/derivative.hpp>
 
 #include <array>
 #include <span>
@@ -45,9 +44,9 @@ struct SpanFacts {
 // Keeps its buffers: one a thread. All that it refers to must outlive it.
 class Spans {
  public:
-  Spans(const mechanics::Machine& machine, const mechanics::MotionProgram& program, const Quantities& quantities,
-        const mechanics::Enclosure& motion)
-      : Spans(machine, program, program::in_time(program.program, 2), quantities, motion) {}
+  // `moving`: the program with its rates and accelerations (program::in_time).
+  Spans(const mechanics::Machine& machine, const mechanics::MotionProgram& program, const program::Program& moving,
+        const Quantities& quantities, const mechanics::Enclosure& motion);
 
   void at(Look look, std::span<const double> times, std::span<InstantFacts> out);
   // `middles`: the facts at an instant in each span, about its middle; (1) and (2) count from there.
@@ -56,8 +55,6 @@ class Spans {
   long evaluations() const { return evaluations_; }
 
  private:
-  Spans(const mechanics::Machine& machine, const mechanics::MotionProgram& program, const program::Program& moving,
-        const Quantities& quantities, const mechanics::Enclosure& motion);
   // Where values, rates and accelerations of an output are in a program; none: -1.
   struct Places {
     std::vector<int> value, rate, acceleration;

@@ -13,7 +13,8 @@ namespace pmreport::mechanics {
 using Path = std::function<bool(double t, double* value, double* rate, double* acceleration)>;
 
 // Coordinates, or actuators, over a span of time [s]: bounds that hold at every instant of it, rounding included. dof long, SI. Where a
-// value jumps within, or at an end, both sides are in. False where nothing is known.
+// value jumps within, or at an end, both sides are in, and the rate is not bounded; nor is the acceleration where the rate jumps: what is
+// bounded is the derivative of what stands before it at every instant. False where nothing is known.
 struct Bounded {
   program::Bounds value, rate, acceleration;
 };

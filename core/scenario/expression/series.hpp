@@ -119,6 +119,7 @@ template <int K>
 Series<K> square(const Series<K>& x) {
   Series<K> z = begun(square(x[0]), x);
   z.degree = std::min(K, 2 * x.degree);
+  if constexpr (K == 0) return z;
   for (int k = 1; k <= z.last(); ++k) {
     Interval pairs(0.0);
     for (int i = std::max(0, k - x.degree); 2 * i < k; ++i) pairs = pairs + x[i] * x[k - i];
@@ -254,7 +255,7 @@ Series<K> atan2(const Series<K>& y, const Series<K>& x) {
 template <int K>
 Series<K> power(const Series<K>& x, double n) {
   const Series<K> a = n == std::round(n) ? x : in_domain(x, 0, std::numeric_limits<double>::infinity());
-  if (n == 0) return Series<K>(1);
+  if (n == 0) return begun(a[0] * 0.0 + 1.0, Series<K>(1));  // of a number that exists
   if (n == 1) return a;
   Series<K> y = begun(pow(a[0], n), a);
   if (y.degree == 0) return y;

@@ -56,6 +56,12 @@ std::optional<Law> from_value(const Moved& m, Written written, Behaviour behavio
   return out;
 }
 
+std::vector<double> rising(std::vector<double> times) {
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
 // From a rate: the value is its integral from home, the acceleration its exact derivative. Between its steps the rate is a matter of a few
 // points, and at its switches the integral begins anew. Nothing, told, when it is not good all the same.
 std::optional<Law> from_rate(const Moved& m, Written written, Behaviour behaviour, Diagnostics& diagnostics) {
@@ -70,9 +76,7 @@ std::optional<Law> from_rate(const Moved& m, Written written, Behaviour behaviou
   if (!bounded(itself, breaks, diagnostics)) return std::nullopt;
   std::vector<double> knots = behaviour.steps;
   for (const Switch& s : behaviour.switches) knots.push_back(s.time());
-  std::sort(knots.begin(), knots.end());
-  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
-  const auto value = std::make_shared<const Integral>([rate](double t) { return rate->at(t); }, m.home, std::move(knots));
+  const auto value = std::make_shared<const Integral>([rate](double t) { return rate->at(t); }, m.home, rising(std::move(knots)));
   if (value->error() > good * value->magnitude()) {
     const DisplayUnit unit = display_unit(m.unit, value->error());
     diagnostics.add(written.place,
@@ -81,11 +85,9 @@ std::optional<Law> from_rate(const Moved& m, Written written, Behaviour behaviou
                     fmt::format("give {} itself", m.name));
     return std::nullopt;
   }
-  std::vector<double> times = behaviour.steps;
-  for (const Switch& s : behaviour.switches) times.insert(times.end(), {s.before, s.after});
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  const auto proved = std::make_shared<const IntegralEnclosure>(*rate, m.home, std::move(times), value->magnitude());
+  std::vector<double> sides = behaviour.steps;
+  for (const Switch& s : behaviour.switches) sides.insert(sides.end(), {s.before, s.after});
+  const auto proved = std::make_shared<const IntegralEnclosure>(*rate, m.home, rising(std::move(sides)), value->magnitude());
   return Law{m.name,
              m.unit,
              written.place,
