@@ -52,7 +52,7 @@ class Prover {
   double proved() const { return proved_; }
 
  private:
-  enum class Obstacle { none, law, jump, geometry, choice, singular, path, unfollowed };
+  enum class Obstacle { none, law, jump, geometry, singular, path, unfollowed };
 
   Obstacle begin();
   Obstacle link(double next);
@@ -79,8 +79,6 @@ Prover::Obstacle Prover::obstacle(Krawczyk::Found found) {
       return Obstacle::none;
     case Krawczyk::Found::no_bounds:
       return Obstacle::geometry;
-    case Krawczyk::Found::choice:
-      return Obstacle::choice;
     default:
       return Obstacle::singular;
   }
@@ -181,9 +179,7 @@ std::string Prover::in_words(Obstacle o) const {
     case Obstacle::jump:
       return from() + " a prescribed actuator jumps";
     case Obstacle::geometry:
-      return from() + " the geometry, or what its actuators change by, has no bounds";
-    case Obstacle::choice:
-      return from() + " the geometry goes over from one formula to another";
+      return from() + " the geometry has no bounds, or jumps";
     case Obstacle::path:
       return from() + " the path that was followed is not where these actuators lead";
     case Obstacle::unfollowed:

@@ -16,27 +16,21 @@ constexpr int most_steps = 8;
 
 using program::Operation;
 
-program::Program with_choices(const program::Program& actuators, int& choices, int& kinks) {
+program::Program with_kinks(const program::Program& actuators, int& kinks) {
   std::vector<program::Step> steps(actuators.steps().begin(), actuators.steps().end());
-  std::vector<int> outputs(actuators.outputs().begin(), actuators.outputs().end()), masks_of_kinks;
+  std::vector<int> outputs(actuators.outputs().begin(), actuators.outputs().end());
   const auto add = [&](const program::Step& s) {
     steps.push_back(s);
     return static_cast<int>(steps.size()) - 1;
   };
   const int one = add({Operation::constant, 0, 0, 0, 1}), zero = add({Operation::constant, 0, 0, 0, 0});
-  const auto tell = [&](int mask) { outputs.push_back(add({Operation::choose, mask, one, zero, 0})); };
   for (std::size_t i = 0; i < actuators.steps().size(); ++i) {
     const program::Step s = steps[i];
-    if (s.operation == Operation::choose) tell(s.a), ++choices;
-    if (s.operation == Operation::atan2) {  // whole only where x > 0 or y is not 0
-      const int above = add({Operation::less, zero, s.a, 0, 0}), below = add({Operation::less, s.a, zero, 0, 0}),
-                ahead = add({Operation::less, zero, s.b, 0, 0});
-      tell(add({Operation::either, ahead, add({Operation::either, above, below, 0, 0}), 0, 0})), ++choices;
-    }
-    if (s.operation == Operation::min || s.operation == Operation::max) masks_of_kinks.push_back(add({Operation::less, s.a, s.b, 0, 0}));
-    if (s.operation == Operation::abs) masks_of_kinks.push_back(add({Operation::less, s.a, zero, 0, 0}));
+    if (s.operation != Operation::min && s.operation != Operation::max && s.operation != Operation::abs) continue;
+    const int side = add({Operation::less, s.a, s.operation == Operation::abs ? zero : s.b, 0, 0});
+    outputs.push_back(add({Operation::choose, side, one, zero, 0}));
+    ++kinks;
   }
-  for (const int mask : masks_of_kinks) tell(mask), ++kinks;
   return program::Program(steps, actuators.inputs(), outputs);
 }
 
@@ -56,12 +50,12 @@ SmallVector middles(const mechanics::Bounded* of, int count, program::Bounds mec
 
 ActuatorGeometry::ActuatorGeometry(const program::Program& geometry, std::size_t first)
     : dof(geometry.inputs()),
-      values(with_choices(geometry.slice(from_to(first, dof)), choices, kinks)),
+      values(with_kinks(geometry.slice(from_to(first, dof)), kinks)),
       partials(program::partials(values, from_to(0, dof))),
       in_time(program::in_time(values, 2)) {
   // The rate of l_k has the partials sum_i d2l_k / dq_j dq_i q_i' = J'_kj.
   const int all = static_cast<int>(outputs());
-  std::vector<int> wanted = from_to(static_cast<std::size_t>(dof), choices + kinks);
+  std::vector<int> wanted = from_to(static_cast<std::size_t>(dof), kinks);
   for (int k = 0; k < dof; ++k)
     for (int j = 0; j < dof; ++j) wanted.push_back(2 * all + (all + k) * dof + j);
   turning = program::partials(program::in_time(values, 1), from_to(0, dof)).slice(wanted);

@@ -18,21 +18,20 @@ namespace pmreport::analysis {
 
 using linear::SmallMatrix, linear::SmallVector;
 
-// The actuators l of a geometry, alone. What is continuous has a mean value theorem, and a choice between two formulas may not be, nor
-// atan2 where it goes round: after the actuators the programs give 1 or 0 for each, so that a box on which it is open is known; then the
-// same for each kink: where the smaller, the larger or the absolute value, which are continuous, go over from one side to the other, and J
-// jumps.
+// The actuators l of a geometry, alone. After them the programs give 1 or 0 for each kink, so that a box on which it is open is known:
+// where the smaller, the larger or the absolute value go over from one side to the other, and J jumps. Where l itself jumps, at a choice
+// between two formulas or where an angle goes round, J has no bounds (derivative.hpp).
 struct ActuatorGeometry {
   // `first`: the output that is the first actuator.
   ActuatorGeometry(const program::Program& geometry, std::size_t first);
 
-  int dof, choices = 0, kinks = 0;
-  program::Program values;    // l; choices; kinks
+  int dof, kinks = 0;
+  program::Program values;    // l; kinks
   program::Program partials;  // the same; then J by rows; then zeros
   program::Program in_time;   // of order 2 (derivative.hpp)
-  program::Program turning;   // of coordinates and their rates: choices; kinks; then J' by rows
+  program::Program turning;   // of coordinates and their rates: kinks; then J' by rows
 
-  std::size_t outputs() const { return static_cast<std::size_t>(dof + choices + kinks); }
+  std::size_t outputs() const { return static_cast<std::size_t>(dof + kinks); }
 };
 
 struct MovingFrame {

@@ -61,8 +61,7 @@ class Krawczyk {
   };
   enum class Found {
     one,        // exactly one solution at every instant
-    no_bounds,  // the geometry or its partials have none there
-    choice,     // a formula is left for another
+    no_bounds,  // the geometry or its partials have none there, or it jumps
     undecided   // K(D) is not in the interior of D, of whatever size
   };
   // Looks for a box of offsets, `include` in it, with exactly one solution at every instant of `time`: `only`; `within`: where in it the

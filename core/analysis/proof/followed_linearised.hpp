@@ -50,7 +50,7 @@ class Linearised {
 
     std::copy_n((smooth_ ? start : coordinates_).begin(), m_, in_.begin());
     partials_.run({in_.data(), m_}, {out_.data(), geometry_.outputs() * (1 + m_)});
-    if (const Found f = look_at_switches(&out_[m_]); f != Found::one) return f;
+    if (const Found f = look_at_kinks(out_.data() + m_); f != Found::one) return f;
     for (std::size_t k = 0; k < m_; ++k)
       for (std::size_t j = 0; j < m_; ++j) {
         jacobian_[k][j] = out_[geometry_.outputs() + k * m_ + j];
@@ -167,13 +167,11 @@ class Linearised {
  private:
   double inverse(std::size_t i, std::size_t k) const { return frame_->inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)); }
 
-  // A choice that is open; a kink that is.
-  Found look_at_switches(const Interval* switches) {
-    for (int c = 0; c < geometry_.choices + geometry_.kinks; ++c, ++switches) {
-      if (!switches->bounded()) return Found::no_bounds;
-      const bool open = switches->width() != 0;
-      if (open && c < geometry_.choices) return Found::choice;
-      smooth_ = smooth_ && !open;
+  // Whether a kink is open.
+  Found look_at_kinks(const Interval* kinks) {
+    for (int c = 0; c < geometry_.kinks; ++c) {
+      if (!kinks[c].bounded()) return Found::no_bounds;
+      smooth_ = smooth_ && kinks[c].width() == 0;
     }
     return Found::one;
   }
@@ -183,7 +181,7 @@ class Linearised {
     for (std::size_t i = 0; i < m_; ++i) in_[i] = coordinates_[i], in_[m_ + i] = Interval(entry(frame_->velocity, i));
     const std::size_t first = geometry_.outputs() - m_;
     turning_.run({in_.data(), 2 * m_}, {out_.data(), first + m_ * m_});
-    if (const Found f = look_at_switches(out_.data()); f != Found::one) return f;
+    if (const Found f = look_at_kinks(out_.data()); f != Found::one) return f;
     for (std::size_t k = 0; k < m_ * m_; ++k) smooth_ = smooth_ && out_[first + k].bounded();
     for (std::size_t i = 0; smooth_ && i < m_; ++i)
       for (std::size_t j = 0; j < m_; ++j)

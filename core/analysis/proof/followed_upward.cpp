@@ -129,7 +129,7 @@ struct Krawczyk::Work {
       within = both(within, krawczyk(with_zero));
       bool shrinks = false;
       for (std::size_t i = 0; i < m; ++i) {
-        if (!(within[i].low <= within[i].high)) return false;
+        if (!within[i].bounded()) return false;
         shrinks = shrinks || within[i].width() < worth_while * before[i].width();
       }
       if (!shrinks) break;
