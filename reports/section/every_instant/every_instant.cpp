@@ -119,8 +119,10 @@ Paragraph::Tone tone_of(const Proved& p) {
 
 Result every_instant_section(const Analysis& a, const Proved& p, const std::vector<analysis::Unseen>& unseen) {
   Result out;
-  document::Section& s = out.section = {"every-instant", "every-instant", "At every instant", {}};
-  s.blocks.push_back(Paragraph{tone_of(p), motion_sentence(p)});
+  document::Section& s = out.section;
+  s.id = s.kind = "every-instant";
+  s.title = "At every instant";
+  s.blocks.emplace_back(Paragraph{tone_of(p), motion_sentence(p)});
   if (p.proof.unexamined.empty()) {
     s.blocks.push_back(Paragraph{
         Paragraph::Tone::plain,
