@@ -9,7 +9,8 @@
 namespace pmreport::program {
 
 // Rounds upward within, and gives back the rounding mode that it found. Keeps its buffers: one a thread. The vectors are those of the
-// processor that it runs on, the digits the same on all.
+// processor that it runs on; the digits are those of Evaluator<Interval>, the same on all, but that the library's tan, asin, acos and atan2
+// may be computed otherwise on a processor that multiplies and adds at once.
 class Boxes {
  public:
   explicit Boxes(const Program& program);
