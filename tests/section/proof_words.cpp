@@ -91,11 +91,11 @@ TEST_CASE("a stroke that is left is told from when to when, with the decimals th
 
 TEST_CASE("a lower end is a beginning, and what lasts to the end of the motion is told to its last instant") {
   Told t;
-  analysis::Claim::Broken b = above({9.5, 9.5000001}, Bounds::exactly(10), 0.499, 10);
+  analysis::Claim::Broken b = above({9.5, 9.5000004}, Bounds::exactly(10), 0.499, 10);
   b.above = false;
   t.breaks(l1, {b});
   CHECK_THAT(t.sentence(),
-             Contains("l1 leaves its stroke from t = 9.5000000 s to 10 s, at most by 1 mm (499 mm at t = 10 s, its stroke begins "
+             Contains("l1 leaves its stroke from t = 9.500000 s to 10 s, at most by 1 mm (499 mm at t = 10 s, its stroke begins "
                       "at 500 mm)."));
 }
 
@@ -167,8 +167,8 @@ TEST_CASE("what was not examined is told with its reason, and those of one reaso
 TEST_CASE("crossings are told with their times; a touch and a G without bound are open") {
   Told t;
   t[regular].state = State::broken;
-  t.proof.meetings = {{What::crossing, {3.1415926, 3.1415927}}, {What::crossing, {4.0, 4.0000001}}};
-  CHECK_THAT(t.sentence(), Contains("; det G changes its sign at t = 3.1415926 s and at t = 4.0000000 s."));
+  t.proof.meetings = {{What::crossing, {3.1415924, 3.1415928}}, {What::crossing, {4.0, 4.0000004}}};
+  CHECK_THAT(t.sentence(), Contains("; det G changes its sign at t = 3.141593 s and at t = 4.000000 s."));
   CHECK(broken_words(t.proved(), About::regular).size() == 1);
   t.proof.meetings = {{What::touch, {3.12, 3.14}}, {What::unbounded, {5, 6}}};
   t.leaves_open(regular, {{3.12, 3.14}, {8, 9}});
@@ -181,8 +181,8 @@ TEST_CASE("crossings are told with their times; a touch and a G without bound ar
 
 TEST_CASE("a mechanism that cannot be assembled on the way is told from when to when") {
   Told t;
-  t.breaks(assembled, {{{1.25, 1.2500001}, {1.5, 1.5000001}, false, {}, 1.3}});
-  CHECK_THAT(t.sentence(), Contains("; the mechanism cannot be assembled from t = 1.2500000 s to 1.5000000 s."));
+  t.breaks(assembled, {{{1.25, 1.2500004}, {1.5, 1.5000004}, false, {}, 1.3}});
+  CHECK_THAT(t.sentence(), Contains("; the mechanism cannot be assembled from t = 1.250000 s to 1.500000 s."));
 }
 
 TEST_CASE("a bound on intervals that was reached is told with what it left open") {
