@@ -1,5 +1,6 @@
 #include <core/analysis/analysis.hpp>
 
+#include <core/analysis/proved_crossings.hpp>
 #include <core/analysis/samples/sample_work.hpp>
 #include <core/mechanics/singularity/singularity.hpp>
 
@@ -26,10 +27,16 @@ Analysis::Analysis(const scenario::Scenario& scenario, const mechanics::Trajecto
   run(progress);
   if (asked_.forces) run_dynamics(progress);
   breaches_ = find_breaches(machine.topology(), columns_);
+  proof_.unexamined = "there is no motion";
   if (!asked_.singularities) return;
+  if (scenario.motion && samples() > 0) {
+    proof_ = prove_motion(machine, trajectory, scenario.motion->by_actuators() ? scenario.motion->over : mechanics::Enclosure{});
+    progress.stop_if_asked();
+  }
   singular_everywhere_ = mechanics::singular_everywhere(machine, length_);
   if (singular_everywhere_) return;  // a surface that is everywhere is met nowhere
   crossings_ = find_crossings(trajectory, machine, wrenches_, length_);
+  match_with_proof(crossings_, proof_, trajectory);
   progress.stop_if_asked();
   margins_ = follow_margins(trajectory, machine, length_);
   for (const Crossing& c : margins_.losses) crossings_.push_back(c);

@@ -10,6 +10,7 @@
 #include <core/analysis/crossings.hpp>
 #include <core/analysis/margins.hpp>
 #include <core/analysis/progress.hpp>
+#include <core/analysis/proof/proof.hpp>
 #include <core/analysis/residuals.hpp>
 #include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/model/outcome.hpp>
@@ -60,6 +61,7 @@ class Analysis {
   const std::vector<LimitBreach>& breaches() const { return breaches_; }
   const std::vector<Crossing>& crossings() const { return crossings_; }
   const Margins& margins() const { return margins_; }
+  const MotionProof& proof() const { return proof_; }  // what holds at every instant; of a single instant, and without a motion, nothing
   std::vector<SampleRun> broken() const { return broken_runs(breaches_, samples()); }
   std::vector<SampleRun> unreachable() const;  // runs of samples without a pose
 
@@ -91,6 +93,7 @@ class Analysis {
   std::vector<LimitBreach> breaches_;
   std::vector<Crossing> crossings_;
   Margins margins_;
+  MotionProof proof_;
   std::vector<Indeterminate> indeterminate_;
   int self_stresses_ = 0;
 };

@@ -1,11 +1,13 @@
-// Where a motion meets a singularity: between samples, by bisection in time.
+// Where a motion meets a singularity: between samples, by bisection in time, and by proof.
 #pragma once
 
 #include <core/analysis/conditioning.hpp>
 #include <core/mechanics/model/machine.hpp>
 #include <core/mechanics/trajectory/trajectory.hpp>
+#include <core/program/bounds.hpp>
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 namespace pmreport::analysis {
@@ -25,6 +27,8 @@ struct Crossing {
   Eigen::VectorXd coordinates;  // there
   What what = What::surface;
   bool touches = false;  // it comes back on the same side, or ends, or begins, there; of `bodies` and below: nothing tells the sides apart
+  std::optional<program::Bounds> proved = {};  // it happens within [s]; none: it was not proved
+  bool unseen = false;                         // the samples do not show it, the proof does
 
   bool lasts() const { return until > time; }
 };

@@ -93,10 +93,12 @@
 //   readings    optional: numbers of the source at a pose, without rates, declared in Topology::readings.
 //                 std::vector<double> readings(const Coordinates<double>&, const Placement<double>&) const;
 //
-// Scalars. `place` and `jacobian` run on numbers that carry rates, partial derivatives, or several poses at a time: write T, not double,
-// for what depends on q; no `if` on a T, but choose(mask, a, b), smaller and larger; length(v) and unit(v) in place of Eigen's norm() and
-// normalized(): scalar.hpp; the compiler's error names them. A constant vector becomes one of T by c.cast<T>(). An iteration takes a fixed
-// number of steps: README.md shows one.
+// Scalars. `place` and `jacobian` run on numbers that carry rates, partial derivatives, or several poses at a time, and once on numbers
+// that write down what is done with them (recorded.hpp): from that list the program proves what holds between samples, and scans. So they
+// do the same operations whatever the coordinates are: write T, not double, for what depends on q; no `if` on a T or on what type it is,
+// but choose(mask, a, b), smaller and larger; length(v) and unit(v) in place of Eigen's norm() and normalized(): scalar.hpp; the
+// compiler's error names them. A constant vector becomes one of T by c.cast<T>(). Loops of a fixed length are welcome, and an iteration
+// takes a fixed number of steps: README.md shows one.
 //
 // Helpers. rotation.hpp: rotations and frames. leg.hpp: telescopic legs. free_platform.hpp: a platform with six freedoms. parts.hpp:
 // limits and inertias from parameters. plugin.h says to the last digit what every number means.

@@ -7,12 +7,6 @@ namespace pmreport::program {
 
 namespace {
 
-#if defined(__clang__)
-#define PMREPORT_EVERY_POSE _Pragma("clang loop vectorize(assume_safety)")
-#else
-#define PMREPORT_EVERY_POSE _Pragma("GCC ivdep")
-#endif
-
 // An array, or one number for all poses.
 struct Array {
   const double* at;
@@ -67,7 +61,9 @@ class Block {
   template <class F>
   void each(F f) const {
     double* to = arrays_[s_.to];
-    PMREPORT_EVERY_POSE
+#ifndef __clang__  // which asks before every loop whether arrays overlap, and cannot promise what is called in them
+#pragma GCC ivdep
+#endif
     for (std::size_t k = 0; k < count_; ++k) to[k] = f(k);
   }
 

@@ -54,6 +54,8 @@ void each_of_masks(const BoxInstruction& i, const BoxRegisters& r, std::size_t b
   });
 }
 
+bool of_the_library(Operation o) { return o == Operation::tan || o == Operation::asin || o == Operation::acos || o == Operation::atan2; }
+
 void run_step(const BoxInstruction& i, const BoxRegisters& r, std::size_t boxes) {
   switch (i.operation) {
     case Operation::add:
@@ -68,6 +70,10 @@ void run_step(const BoxInstruction& i, const BoxRegisters& r, std::size_t boxes)
       return each_of_one(i, r, boxes, [](const Interval& a) { return -a; });
     case Operation::sqrt:
       return each_of_one(i, r, boxes, [](const Interval& a) { return sqrt(a); });
+    case Operation::sin:
+      return each_of_one(i, r, boxes, [](const Interval& a) { return sin(a); });
+    case Operation::cos:
+      return each_of_one(i, r, boxes, [](const Interval& a) { return cos(a); });
     case Operation::abs:
       return each_of_one(i, r, boxes, [](const Interval& a) { return abs(a); });
     case Operation::hypot:
@@ -98,8 +104,8 @@ void run_step(const BoxInstruction& i, const BoxRegisters& r, std::size_t boxes)
       return each(i, r, boxes, [](const double* a, const double* b, const double* c, std::size_t pitch, std::size_t k) {
         return uncut(interval_at(a, pitch, k), interval_at(b, pitch, k), interval_at(c, pitch, k));
       });
-    default:
-      return run_function(i, r, boxes);
+    default:  // run_function's
+      return;
   }
 }
 
@@ -129,7 +135,10 @@ PMREPORT_FOR_EACH_LEVEL void run_block(std::span<const BoxInstruction> instructi
         each(i, r, boxes, [x = Interval(i.constant)](const double*, const double*, const double*, std::size_t, std::size_t) { return x; });
         break;
       case Kind::step:
-        run_step(i, r, i.operation >= Operation::sin && i.operation <= Operation::atan2 ? traffic.boxes : boxes);
+        if (of_the_library(i.operation))
+          run_function(i, r, traffic.boxes);
+        else
+          run_step(i, r, boxes);
         break;
       case Kind::add_constant:
         each_of_one(i, r, boxes, [c = i.constant](const Interval& a) { return a + c; });

@@ -20,10 +20,6 @@ void each(const BoxInstruction& i, const BoxRegisters& r, std::size_t boxes, F&&
 
 void run_function(const BoxInstruction& i, const BoxRegisters& r, std::size_t boxes) {
   switch (i.operation) {
-    case Operation::sin:
-      return each(i, r, boxes, [](const Ends& a, const Ends&) { return ends::sin(a); });
-    case Operation::cos:
-      return each(i, r, boxes, [](const Ends& a, const Ends&) { return ends::cos(a); });
     case Operation::tan:
       return each(i, r, boxes, [](const Ends& a, const Ends&) { return ends::tan(a); });
     case Operation::asin:

@@ -129,7 +129,8 @@ class Rules {
   Multiple sum(const Multiple& x, const Multiple& y) {
     if (x.is_zero()) return y;
     if (y.is_zero()) return x;
-    if (std::abs(x.factor) < std::abs(y.factor)) return sum(y, x);
+    const double first = std::abs(x.factor), second = std::abs(y.factor);
+    if (first < second || (first == second && x.factor < 0 && y.factor > 0)) return sum(y, x);
     if (x.step == y.step && x.factor == -y.factor) return {};
     if (x.step == y.step && x.factor == y.factor) return twice(x);
     const int other = written({y.step, std::abs(y.factor / x.factor)});

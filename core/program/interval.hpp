@@ -95,16 +95,15 @@ struct BasicInterval {
 
   // Constants need no product of all ends.
   friend BasicInterval operator+(const BasicInterval& a, double c) {
-    return std::isfinite(c) ? of_ends(a.negative_low + S(-c), a.high + S(c)) : unbounded();
+    return std::isfinite(c) ? of_ends(a.negative_low - S(c), a.high + S(c)) : unbounded();
   }
   friend BasicInterval operator+(double c, const BasicInterval& a) { return a + c; }
   friend BasicInterval operator-(const BasicInterval& a, double c) { return a + -c; }
   friend BasicInterval operator-(double c, const BasicInterval& a) { return -a + c; }
   friend BasicInterval operator*(const BasicInterval& a, double c) {
-    if (!std::isfinite(c)) return unbounded();
-    if (c > 0) return of_ends(a.negative_low * S(c), a.high * S(c));
-    if (c < 0) return of_ends(a.high * S(-c), a.negative_low * S(-c));
-    return where(a.is_bounded(), BasicInterval(0.0));
+    if (0 < c && c < infinite) return of_ends(a.negative_low * S(c), a.high * S(c));
+    if (-infinite < c && c < 0) return of_ends(a.high * S(-c), a.negative_low * S(-c));
+    return c == 0 ? where(a.is_bounded(), BasicInterval(0.0)) : unbounded();
   }
   friend BasicInterval operator*(double c, const BasicInterval& a) { return a * c; }
   friend BasicInterval operator/(const BasicInterval& a, double c) {
@@ -149,15 +148,16 @@ struct BasicInterval {
   friend BasicInterval abs(const BasicInterval& a) { return of_ends(-a.mignitude(), a.magnitude()); }
 
   friend BasicInterval square(const BasicInterval& a) {
-    const S nearest = a.mignitude(), farthest = a.magnitude();
-    return of_ends(-nearest * nearest, farthest * farthest);
+    const S farthest = a.magnitude(), nearest_opposite = least(S(0.0), least(a.negative_low, a.high));
+    return of_ends(nearest_opposite * -nearest_opposite, farthest * farthest);
   }
   // Rounded upward, r = sqrt(low) is exact or the number next above: exact where r r, rounded upward too, is not more than low. Else the
   // number next below, which is where anything less than a unit in the last place leads: the root of no positive number is below 2^-537.
+  // Of a negative number it is none, and not taken; an infinite end stays one.
   friend BasicInterval sqrt(const BasicInterval& a) {
-    const S low = most(S(0.0), S(-a.negative_low)), r = sqrt(low);
-    const S n = -r + where_else(low < r * r, S(0x1p-700), S(0.0));
-    return where(!(S(0.0) < a.negative_low) && a.is_bounded(), of_ends(n, sqrt(most(S(0.0), a.high))));
+    const S low = -a.negative_low, r = sqrt(low);
+    const S n = where_else(low < r * r, S(0x1p-700), S(0.0)) - r;
+    return where(!(S(0.0) < a.negative_low), of_ends(n, sqrt(a.high)));
   }
   friend BasicInterval hypot(const BasicInterval& a, const BasicInterval& b) { return sqrt(square(a) + square(b)); }
 

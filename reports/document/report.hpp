@@ -2,10 +2,12 @@
 // Writers turn it into HTML, PDF, CSV, JSON and JUnit; they compute nothing.
 #pragma once
 
+#include <reports/document/every_instant.hpp>
 #include <reports/figure/figure.hpp>
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -38,25 +40,43 @@ struct Gallery {
   std::string caption;
 };
 
-enum class Verdict { passed, failed, not_examined };  // "passed" is for what was looked at and could have failed
+// What became of a line of evidence.
+enum class Verdict {
+  passed,  // it was looked at, and could have failed
+  failed,
+  not_decided,     // it was looked at, and neither shown nor refuted
+  not_examined,    // it was not looked at
+  not_applicable,  // there is nothing that it could be true of
+  error            // it could not be computed, which fails as well
+};
+constexpr std::size_t verdicts = 6;
 
-// One line of proof: a residual that must stay below its tolerance.
+// One line of proof: a residual that must stay below its tolerance, or a statement of which the state is known otherwise.
 struct Evidence {
   std::string claim;  // "loop closure: every joint meets"
   std::string how;    // the two ways compared, or the definition, one sentence
-  double value = 0;   // NaN: could not be computed, which fails
+  double value = 0;   // NaN: could not be computed, an error
   double tolerance = 0;
-  std::string unit;         // SI, or "" for relative
-  std::string reason = {};  // why there is no value, where there is none
-  bool examined = true;
+  std::string unit;                    // SI, or "" for relative
+  std::string reason = {};             // why there is no value; what fails, and when; what is not decided, and when
+  std::optional<Verdict> stated = {};  // where value and tolerance do not tell it
+  std::string demanded_by = {};        // name of the check that demands the same: a list of failures tells both once
 
-  // A claim that there was nothing to hold against, for this reason.
-  static Evidence not_examined(std::string claim, std::string how, std::string reason) {
-    return {std::move(claim),  std::move(how), std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(), "",
-            std::move(reason), false};
+  // A claim without a value, for this reason.
+  static Evidence without_value(Verdict stated, std::string claim, std::string how, std::string reason) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    return {std::move(claim), std::move(how), none, none, "", std::move(reason), stated};
   }
-  Verdict verdict() const { return !examined ? Verdict::not_examined : value <= tolerance ? Verdict::passed : Verdict::failed; }
-  bool failed() const { return verdict() == Verdict::failed; }
+  // A claim that there was nothing to hold against.
+  static Evidence not_examined(std::string claim, std::string how, std::string reason) {
+    return without_value(Verdict::not_examined, std::move(claim), std::move(how), std::move(reason));
+  }
+  Verdict verdict() const {
+    if (stated) return *stated;
+    return std::isnan(value) ? Verdict::error : value <= tolerance ? Verdict::passed : Verdict::failed;
+  }
+  bool failed() const { return verdict() == Verdict::failed || verdict() == Verdict::error; }
+  bool has_numbers() const { return !stated; }
 };
 struct Proof {
   std::vector<Evidence> lines;
@@ -70,10 +90,11 @@ struct Section {
   std::vector<Block> blocks;
 };
 
-struct Data {                                // data/<name>.csv
-  std::string name;                          // "displacement"
-  std::vector<std::string> headings;         // "t [s]", "x [m]"
-  std::vector<std::vector<double>> columns;  // equally long; not finite: empty cell
+struct Data {                                        // data/<name>.csv
+  std::string name;                                  // "displacement"
+  std::vector<std::string> headings;                 // "t [s]", "x [m]"
+  std::vector<std::vector<double>> columns;          // equally long; not finite: empty cell
+  std::vector<std::vector<std::string>> words = {};  // columns of words, as long, which stand before those of numbers
 };
 
 struct Check {
@@ -82,8 +103,10 @@ struct Check {
   double value = 0, bound = 0;  // SI
   std::string unit;
   bool passed = false;
-  std::string message;  // a sentence when failed, "t = 1.32 s: ..."
-  int line = 0;         // in the scenario
+  std::string message;   // a sentence when failed, "t = 1.32 s: ..."; otherwise what else there is to say, or nothing
+  int line = 0;          // in the scenario
+  bool proved = false;   // decided for every instant of the motion, not at its samples alone
+  Bracket bracket = {};  // of the value over every instant, SI; not finite: none is known
 };
 
 struct Value {  // a scalar result for results.json
@@ -105,6 +128,7 @@ struct Report {
   std::vector<Data> data;
   std::vector<Check> checks;
   std::vector<Value> values;
+  std::optional<EveryInstant> every_instant;  // of a motion
   Provenance provenance;
   bool passed() const;  // no check fails and no line of evidence
 };

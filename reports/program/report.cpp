@@ -1,5 +1,6 @@
 #include <core/scenario/loaded.hpp>
 #include <reports/document/finding.hpp>
+#include <reports/document/tally.hpp>
 #include <reports/document/write.hpp>
 #include <reports/program/commands.hpp>
 #include <reports/program/terminal.hpp>
@@ -16,26 +17,24 @@ namespace {
 
 // Verdict, failures, and where the report is.
 void print_verdict(const document::Report& report, const std::string& folder) {
-  int checks = 0, failed = 0, proofs = 0, not_examined = 0;
-  for (const document::Check& c : report.checks) {
-    ++checks;
-    if (c.passed) continue;
-    ++failed;
-    fmt::print("FAILED  {}: {}\n", c.name, c.message);
-  }
+  using document::Verdict;
+  for (const document::Check& c : report.checks)
+    if (!c.passed) fmt::print("FAILED  {}: {}\n", c.name, c.message);
   for (const document::Section& s : report.sections)
     for (const document::Block& b : s.blocks)
       if (const auto* p = std::get_if<document::Proof>(&b))
-        for (const document::Evidence& e : p->lines) {
-          ++proofs;
-          if (!e.examined) ++not_examined;
-          if (!e.failed()) continue;
-          ++failed;
-          fmt::print("FAILED  {}: {}: {} ({})\n", s.title, e.claim, document::finding(e), e.how);
-        }
-  fmt::print("{}: {} checks, {} lines of evidence{}{}; {}/report.html\n", failed == 0 ? "passed" : "FAILED", checks, proofs,
-             failed > 0 ? fmt::format(", {} failed", failed) : "", not_examined > 0 ? fmt::format(", {} not examined", not_examined) : "",
-             folder);
+        for (const document::Evidence& e : p->lines)
+          if (e.failed() && !told_by_a_check(report, e))
+            fmt::print("{}  {}: {}: {} ({})\n", e.verdict() == Verdict::error ? "ERROR " : "FAILED", s.title, e.claim, document::finding(e),
+                       e.how);
+  const document::Tally checks = tally_checks(report), evidence = tally_evidence(report);
+  document::Tally all = checks;
+  all += evidence;
+  const std::string others =
+      counted(all, {Verdict::failed, Verdict::error, Verdict::not_decided, Verdict::not_examined, Verdict::not_applicable});
+  fmt::print("{}: {} checks, {} lines of evidence{}; {}/report.html\n", report.passed() ? "passed" : "FAILED", checks.total(),
+             evidence.total(), others.empty() ? "" : ", " + others, folder);
+  if (report.every_instant) fmt::print("{}\n", report.every_instant->sentence);
 }
 
 }  // namespace

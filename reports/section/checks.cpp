@@ -1,15 +1,18 @@
 // The gates of a report.
 #include <reports/section/checks.hpp>
+#include <reports/section/common/brackets.hpp>
+#include <reports/section/common/demands.hpp>
 #include <reports/section/common/limits.hpp>
 #include <reports/section/common/singular_words.hpp>
 #include <reports/section/common/words.hpp>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 
 namespace pmreport::section {
 
@@ -43,55 +46,104 @@ std::string why_no_value(const Analysis& a, const scenario::Check& c) {
 // One bound of a check, the number that comes nearest to breaking it, and whether it does.
 struct Verdict {
   Number found;
-  bool passed;
-  double bound;                // SI
-  std::string demand, broken;  // "< 400 N"; "not below 400 N"
+  bool passed;                        // by the samples
+  double bound;                       // SI
+  std::string demand, broken;         // "< 400 N"; "not below 400 N"
+  std::optional<Bounds> proved = {};  // the number over every instant lies within
+  std::optional<bool> decided = {};   // by that; none: it holds the bound inside, and the samples decide
+
+  bool holds() const { return passed && decided.value_or(true); }
 };
 
-Verdict judge(const Analysis& a, const scenario::Check& c, const std::vector<document::Value>& values, double bound, bool below) {
+// A bound that the number lies below, or above, whatever it is within its bracket.
+std::optional<bool> decided_by(const std::optional<Bounds>& b, double bound, bool below) {
+  if (!b) return {};
+  if (below ? b->high < bound : b->low > bound) return true;
+  if (below ? b->low >= bound : b->high <= bound) return false;
+  return {};
+}
+
+Verdict judge(const Analysis& a, const Proved& p, const scenario::Check& c, const std::vector<document::Value>& values, double bound,
+              bool below) {
   const Number found = measure(a, c, values, below);
   const std::string limit = written(bound, c.unit);
   const bool passed = std::isfinite(found.value) && (below ? found.value < bound : found.value > bound);
-  return {found, passed, bound, (below ? "< " : "> ") + limit, std::string("not ") + (below ? "below " : "above ")};
+  const auto proved = analysis::measure_proved(p.proof, c, below);
+  return {found,
+          passed,
+          bound,
+          (below ? "< " : "> ") + limit,
+          std::string("not ") + (below ? "below " : "above "),
+          proved,
+          decided_by(proved, bound, below)};
 }
 
 // Of a group every column must be near: the one farthest away counts.
-Verdict judge_equality(const Analysis& a, const scenario::Check& c, const std::vector<document::Value>& values) {
+Verdict judge_equality(const Analysis& a, const Proved& p, const scenario::Check& c, const std::vector<document::Value>& values) {
   const double wanted = *c.equals;
   const Number high = measure(a, c, values, true), low = measure(a, c, values, false);
   const Number found = std::abs(low.value - wanted) > std::abs(high.value - wanted) ? low : high;
   const bool exact = c.within == 0;
   const std::string near = exact ? "" : written(c.within, c.unit);
-  return {found, std::abs(found.value - wanted) <= c.within, wanted, "= " + written(wanted, c.unit) + (exact ? "" : " ± " + near),
-          exact ? "not " : "not within " + near + " of "};
+  const auto most = analysis::measure_proved(p.proof, c, true), least = analysis::measure_proved(p.proof, c, false);
+  std::optional<bool> decided;
+  if (most && least) {
+    const bool within = most->high <= wanted + c.within && least->low >= wanted - c.within;
+    const bool beyond = most->low > wanted + c.within || least->high < wanted - c.within;
+    if (within || beyond) decided = within;
+  }
+  const bool by_most = !most || !least || std::abs(most->middle() - wanted) >= std::abs(least->middle() - wanted);
+  return {found,
+          std::abs(found.value - wanted) <= c.within,
+          wanted,
+          "= " + written(wanted, c.unit) + (exact ? "" : " ± " + near),
+          exact ? "not " : "not within " + near + " of ",
+          by_most ? most : least,
+          decided};
 }
 
-document::Check evaluate(const Analysis& a, const scenario::Check& c, const std::vector<document::Value>& values) {
+// What the bracket says of a number, where the samples do not say it alone.
+std::string bracket_words(const Verdict& v, const std::string& unit) {
+  const std::string told = "at every instant: " + bracket(*v.proved, unit);
+  return v.decided ? told : told + ", which holds the bound inside: the samples decide";
+}
+
+document::Check evaluate(const Analysis& a, const Proved& p, const scenario::Check& c, const std::vector<document::Value>& values) {
   std::vector<Verdict> verdicts;
-  if (c.below) verdicts.push_back(judge(a, c, values, *c.below, true));
-  if (c.above) verdicts.push_back(judge(a, c, values, *c.above, false));
-  if (c.equals) verdicts.push_back(judge_equality(a, c, values));
+  if (c.below) verdicts.push_back(judge(a, p, c, values, *c.below, true));
+  if (c.above) verdicts.push_back(judge(a, p, c, values, *c.above, false));
+  if (c.equals) verdicts.push_back(judge_equality(a, p, c, values));
   document::Check out;
   out.line = c.line;
   out.unit = c.unit;
   out.passed = true;
+  out.proved = std::ranges::all_of(verdicts, [](const Verdict& v) { return v.decided.has_value(); });
+  std::vector<std::string> brackets;  // each once
   for (const Verdict& v : verdicts) {
     out.limit += (out.limit.empty() ? "" : ", ") + v.demand;
-    out.passed = out.passed && v.passed;
-    const bool complete = std::isfinite(v.found.value);
+    out.passed = out.passed && v.holds();
+    const bool complete = std::isfinite(v.found.value), by_proof_alone = v.passed && !v.holds();
     const Apart told = show_apart(v.found.value, v.bound, c.unit, 6);
-    if (out.measured.empty() || !v.passed) {
+    if (out.measured.empty() || !v.holds()) {
       out.value = v.found.value;
       out.bound = v.bound;
-      out.measured = complete ? told.value : "no value";
+      out.measured = !complete ? "no value" : by_proof_alone ? bracket(*v.proved, c.unit) : told.value;
+      if (v.proved) out.bracket = {v.proved->low, v.proved->high};
     }
-    if (v.passed) continue;
+    if (v.proved)
+      if (std::string words = bracket_words(v, c.unit); std::ranges::find(brackets, words) == brackets.end())
+        brackets.push_back(std::move(words));
+    if (v.holds()) continue;
     if (!complete)
       out.message = c.that + " has no value: " + why_no_value(a, c);
+    else if (by_proof_alone)
+      out.message = fmt::format("{}: {} at every instant, which is {}{}; the samples alone keep it, at {}", c.that,
+                                bracket(*v.proved, c.unit), v.broken, told.beside, told.value);
     else
       out.message = fmt::format("{}{}: {} is {}, which is {}{}", v.found.sample >= 0 ? "t = " + show_time(a, v.found.sample) + ": " : "",
                                 c.that, c.quantity.empty() ? v.found.column : "it", told.value, v.broken, told.beside);
   }
+  if (out.passed) out.message = fmt::format("{}", fmt::join(brackets, "; "));
   out.name = c.that + " " + out.limit;
   return out;
 }
@@ -131,22 +183,81 @@ Number measure(const Analysis& a, const scenario::Measured& m, const std::vector
   return analysis::measure(a, m, largest);
 }
 
+namespace {
+
+// "between the samples t = 1.2 s and t = 1.21 s": where the first stretch of a claim begins.
+std::string between_samples(const Analysis& a, const ProvedClaim& c) {
+  if (c.broken.empty()) return "";
+  const double t = c.broken.front().begin.middle();
+  const auto after = std::ranges::upper_bound(a.time(), t);
+  const int next = std::clamp(static_cast<int>(after - a.time().begin()), 1, a.samples() - 1);
+  return fmt::format(", first between the samples t = {} and t = {}", show_time(a, next - 1), show_time(a, next));
+}
+
+std::string of_samples(const Analysis& a, int broken) { return fmt::format("{} of {} samples", broken, a.samples()); }
+constexpr const char* proved_words = "at every instant (proved)";
+
+std::string first(const std::vector<std::string>& sentences) { return sentences.empty() ? std::string() : sentences.front(); }
+
+// Of kinds of claims: a demand that the samples keep and the proof refutes fails by the proof; one that both keep holds at every instant.
+document::Check demand_always(const Analysis& a, const Proved& p, const char* name, int broken, const std::string& message,
+                              std::initializer_list<ProvedClaim::About> kinds) {
+  document::Check c = demand(name, broken, of_samples(a, broken), message);
+  if (broken > 0 || !p.proof.unexamined.empty()) return c;
+  std::size_t stretches = 0, claims = 0;
+  bool all_hold = true;
+  std::string where;
+  for (const ProvedClaim::About about : kinds)
+    for (const ProvedClaim* claim : p.of(about)) {
+      ++claims;
+      all_hold = all_hold && claim->state == ProvedClaim::State::holds;
+      if (claim->state != ProvedClaim::State::broken) continue;
+      stretches += std::max<std::size_t>(1, claim->broken.size());
+      if (where.empty()) where = between_samples(a, *claim);
+    }
+  if (stretches > 0) {
+    c = demand(name, static_cast<int>(stretches), plural(static_cast<int>(stretches), "time") + " between samples", message);
+    if (c.message.ends_with('.')) c.message.pop_back();
+    c.message += where + ".";
+    c.proved = true;
+  } else if (claims > 0 && all_hold) {
+    c.measured = proved_words, c.proved = true;
+  }
+  return c;
+}
+
+document::Check regularity(const Analysis& a, const Proved& p) {
+  const std::vector<std::string> lost = broken_words(p, ProvedClaim::About::regular);
+  int met = singularities_met(a);
+  if (met == 0 && !lost.empty()) met = 1;
+  const std::vector<std::string> sentences = singularity_sentences(a);
+  document::Check c =
+      demand(demands::regularity, met, plural(met, "time"), sentences.empty() ? as_sentence(first(lost)) : sentences.front());
+  if (c.passed && p.holds(ProvedClaim::About::regular))
+    c.message = "det G keeps its sign at every instant (proved); the constraints of all bodies are judged at the samples.";
+  return c;
+}
+
+}  // namespace
+
 std::vector<document::Check> evaluate_checks(const Analysis& a, const std::vector<document::Value>& values) {
+  return evaluate_checks(a, proved(a), values);
+}
+
+std::vector<document::Check> evaluate_checks(const Analysis& a, const Proved& p, const std::vector<document::Value>& values) {
   std::vector<document::Check> out;
-  for (const scenario::Check& c : a.scenario().checks) out.push_back(evaluate(a, c, values));
+  for (const scenario::Check& c : a.scenario().checks) out.push_back(evaluate(a, p, c, values));
 
   if (!a.scenario().motion) return out;  // nothing moves: there is nothing to demand of it
 
   int broken = 0;
   for (const SampleRun& i : a.broken()) broken += i.last - i.first + 1;
-  const int unreachable = a.count(Outcome::unreachable);
-  const std::string of = fmt::format(" of {} samples", a.samples());
-  const auto first = [](const std::vector<std::string>& sentences) { return sentences.empty() ? std::string() : sentences.front(); };
-  out.push_back(demand("every sample can be assembled", unreachable, std::to_string(unreachable) + of, first(reach_sentences(a))));
-  out.push_back(demand("strokes and joint limits are kept", broken, std::to_string(broken) + of, first(breach_sentences(a))));
+  out.push_back(demand_always(a, p, demands::assembly, a.count(Outcome::unreachable), first(assembly_sentences(a, p)),
+                              {ProvedClaim::About::assembled}));
+  out.push_back(demand_always(a, p, demands::limits, broken, first(range_sentences(a, p)),
+                              {ProvedClaim::About::stroke, ProvedClaim::About::joint_limit}));
   if (a.scenario().limits.any()) out.push_back(limits_kept(a));
-  const int singular = singularities_met(a);
-  out.push_back(demand("no singular surface is met", singular, plural(singular, "time"), first(singularity_sentences(a))));
+  out.push_back(regularity(a, p));
   return out;
 }
 

@@ -2,10 +2,12 @@
 #include <reports/section/common/limits.hpp>
 #include <reports/section/common/motion_words.hpp>
 #include <reports/section/common/plots.hpp>
+#include <reports/section/common/proof_words.hpp>
 #include <reports/section/common/remarks.hpp>
 #include <reports/section/common/singular_words.hpp>
 #include <reports/section/common/stage.hpp>
 #include <reports/section/common/words.hpp>
+#include <reports/section/every_instant/every_instant.hpp>
 #include <reports/section/kinds.hpp>
 #include <reports/section/make_report.hpp>
 #include <reports/section/overview.hpp>
@@ -30,15 +32,24 @@ std::string sha256(const std::string& text) {
   return out;
 }
 
-std::vector<Paragraph> summary(const Analysis& a, const std::vector<analysis::Unseen>& unseen, const Report& r) {
+// What is proved of the motion and no warning tells.
+void tell_proof(const Proved& p, std::vector<Paragraph>& out) {
+  const bool all = p.proof.unexamined.empty() && std::ranges::all_of(p.proof.claims, [](const ProvedClaim& c) {
+                     return c.state == ProvedClaim::State::holds || c.state == ProvedClaim::State::broken;
+                   });
+  if (std::string sentence = remaining_sentence(p); !sentence.empty())
+    out.push_back({all ? Paragraph::Tone::plain : Paragraph::Tone::note, std::move(sentence)});
+}
+
+std::vector<Paragraph> summary(const Analysis& a, const Proved& p, const std::vector<analysis::Unseen>& unseen, const Report& r) {
   std::vector<Paragraph> out;
   const auto warn = [&](const std::string& text) { out.push_back({Paragraph::Tone::warning, text}); };
-  for (const std::string& s : reach_sentences(a)) warn(s);
+  for (const std::string& s : assembly_sentences(a, p)) warn(s);
   for (const std::string& s : singularity_sentences(a)) warn(s);
   for (const std::string& s : nearness_sentences(a)) warn(s);
   for (const std::string& s : jump_sentences(a)) warn(s);
   for (const std::string& s : unseen_sentences(a, unseen)) warn(s);
-  for (const std::string& s : breach_sentences(a)) warn(s);
+  for (const std::string& s : range_sentences(a, p)) warn(s);
   for (const std::string& s : limit_sentences(a)) warn(s);
   for (const std::string& s : remark_sentences(a)) warn(s);
   for (const document::Check& c : r.checks)
@@ -58,6 +69,7 @@ std::vector<Paragraph> summary(const Analysis& a, const std::vector<analysis::Un
     tell(fmt::format("No motion is prescribed; {} degrees of freedom.", a.machine().dof()));
     return out;
   }
+  tell_proof(p, out);
   const scenario::MotionRequest& motion = *a.scenario().motion;
   const std::string& ending = a.trajectory().ending;
   if (motion.until_singularity && !ending.empty() && a.trajectory().reaches(a.samples() - 1))
@@ -142,7 +154,16 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
   const std::vector<analysis::Unseen> unseen = unseen_between_samples(a);
   for (document::Check& c : motion_demands(a, unseen)) r.checks.push_back(std::move(c));
   r.checks.insert(r.checks.end(), gates.begin(), gates.end());
-  r.summary = summary(a, unseen, r);
+  const Proved p = proved(a);
+  if (s.motion) {
+    // The last: the sections before keep the order that the scenario gives them, and what they show at the samples it says of every
+    // instant.
+    Result always = every_instant_section(a, p, unseen);
+    r.sections.push_back(std::move(always.section));
+    for (document::Data& d : always.data) r.data.push_back(std::move(d));
+    r.every_instant = every_instant_results(a, p);
+  }
+  r.summary = summary(a, p, unseen, r);
   return r;
 }
 

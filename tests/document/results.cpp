@@ -48,7 +48,8 @@ TEST_CASE("a claim that nothing was held against neither passes nor fails, and e
   CHECK_FALSE(line.failed());
   CHECK(r.passed());
   const json j = json::parse(to_json(r));
-  CHECK(j["verdict"]["evidence"] == json::parse(R"({"total": 4, "failed": 0, "not_examined": 1})"));
+  CHECK(j["verdict"]["evidence"]["total"] == 4);
+  CHECK(j["verdict"]["evidence"]["not_examined"] == 1);
   const json told = j["sections"].back()["evidence"].back();
   CHECK(told["passed"] == false);
   CHECK(told["status"] == "not examined");
@@ -65,11 +66,12 @@ TEST_CASE("a claim that nothing was held against neither passes nor fails, and e
 TEST_CASE("results.json tells schema, verdict, checks, evidence and values") {
   const json j = json::parse(to_json(sample::report()));
   CHECK(j["schema"] == "pmreport-results");
-  CHECK(j["schema_version"] == 1);
+  CHECK(j["schema_version"] == 2);
   CHECK(j["mechanism"]["name"] == "4sps-spr");
   CHECK(j["provenance"]["version"] == "1.0.0");
-  CHECK(j["verdict"] == json::parse(R"({"passed": true, "checks": {"total": 1, "failed": 0, "not_examined": 0},
-      "evidence": {"total": 4, "failed": 0, "not_examined": 0}})"));
+  CHECK(j["verdict"] == json::parse(R"({"passed": true, "checks": {"total": 1, "passed": 1, "failed": 0, "not_decided": 0,
+      "not_examined": 0, "not_applicable": 0, "error": 0}, "evidence": {"total": 4, "passed": 4, "failed": 0, "not_decided": 0,
+      "not_examined": 0, "not_applicable": 0, "error": 0}})"));
   CHECK(j["checks"][0]["value"] == 312.4);
   CHECK(j["checks"][0]["line"] == 13);
   CHECK(j["sections"][0]["evidence"].size() == 3);

@@ -47,7 +47,8 @@ struct Table {
                          &statics,
                          &dynamics,
                          &appearance,
-                         &closed_forms};
+                         &closed_forms,
+                         nullptr};
   pm_mechanism second = mechanism;
   std::array<const pm_mechanism*, 2> mechanisms{&mechanism, &second};
   pm_plugin_table table{sizeof(pm_plugin_table), PM_ABI_MAJOR, PM_ABI_MINOR, "test", 1, mechanisms.data()};
@@ -87,6 +88,12 @@ TEST_CASE("a mechanism of version 1.0, which ends before the closed forms, is so
   Table t;
   t.mechanism.struct_size = offsetof(pm_mechanism, closed_forms);
   t.mechanism.closed_forms = reinterpret_cast<const pm_closed_forms*>(1);  // would crash whoever looks
+  CHECK(judgement(t) == "sound");
+}
+
+TEST_CASE("a mechanism of version 1.2, which ends before what records, is sound, and what follows it is not read") {
+  Table t;
+  t.mechanism.struct_size = offsetof(pm_mechanism, record);
   CHECK(judgement(t) == "sound");
 }
 

@@ -14,7 +14,7 @@ namespace pmreport::test {
 class SliderCrank : public Mechanism<1> {
  public:
   static constexpr const char* faults[] = {"none",      "gap",          "axis",          "jacobian",     "idle",     "actuator", "unit",
-                                           "lanes",     "rates",        "partials",      "partials_nan", "extended", "reach",    "nan",
+                                           "lanes",     "rates",        "partials",      "partials_nan", "recorded", "reach",    "nan",
                                            "jet_lanes", "acceleration", "body_partials", "mass",         "inertia"};
   static constexpr const char *name = "slider-crank", *title = "spatial slider-crank", *source = "a test";
   static constexpr Parameter parameters[] = {Parameter::choice("fault", faults, 0, "what is wrong with it"),
@@ -75,8 +75,8 @@ class SliderCrank : public Mechanism<1> {
       if (fault("body_partials")) rod_at(2).partial[0] = 1e-3;
       if (fault("partials_nan")) rod_at(0).partial[0] = 0.0 / (height.partial[0] * 0.0);
     }
-    if constexpr (std::is_same_v<T, long double>)
-      if (fault("extended")) height += 1e-9L;
+    if constexpr (std::is_same_v<T, Recorded>)
+      if (fault("recorded")) height = height + 1e-9;
     if (fault("reach")) at.require(0.05 - abs(q[0] - 0.8), "the crank has no room");
     if (fault("nan")) height = height * sqrt(0.9 - q[0]) / sqrt(0.9 - q[0]);
 

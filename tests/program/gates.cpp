@@ -26,12 +26,12 @@ int count(const std::string& text, const std::string& part) {
 // junit.xml is sound XML, counts what it holds, and agrees with the exit status and with results.json.
 void check_consistent(const Workshop& here, int status) {
   const Json json = results(here);
-  int failed = 0, all = 0;
+  int failed = 0, errors = 0, all = 0;
   for (const Json& c : json["checks"]) ++all, failed += c["passed"] ? 0 : 1;
   for (const Json& s : json["sections"])
-    for (const Json& e : s["evidence"]) ++all, failed += e["passed"] ? 0 : 1;
+    for (const Json& e : s["evidence"]) ++all, failed += e["state"] == "failed", errors += e["state"] == "error";
   CHECK(json["verdict"]["passed"] == (status == 0));
-  CHECK((failed > 0) == (status == 1));
+  CHECK((failed + errors > 0) == (status == 1));
 
   const std::string file = (here.report_folder() / "junit.xml").string(), junit = bytes_of(file);
   const Result lint = run({"xmllint", "--noout", file});
@@ -39,6 +39,7 @@ void check_consistent(const Workshop& here, int status) {
   CHECK(lint.status == 0);
   CHECK(count(junit, "<testcase ") == all);
   CHECK(count(junit, "<failure ") == failed);
+  CHECK(count(junit, "<error ") == errors);
   CHECK_THAT(junit, Contains("tests=\"" + std::to_string(all) + "\" failures=\"" + std::to_string(failed) + "\""));
 }
 
@@ -97,7 +98,7 @@ TEST_CASE("results.json says what made it and what it holds") {
   const Workshop here;
   REQUIRE(here.report(small).status == 0);
   const Json json = results(here);
-  CHECK(json["schema_version"] == 1);
+  CHECK(json["schema_version"] == 2);
   CHECK(json["title"] == "Small");
   CHECK(json["mechanism"]["name"] == "4sps-spr");
   const Json& from = json["provenance"];

@@ -141,7 +141,7 @@ TEST_CASE("a report has the section of a kind of a test's own, in its place, mad
                                            "[[section]]\nkind = \"classification\"\n[[check]]\nthat = \"wheel.way\"\nabove = \"18.8 m\"\n"),
                           "a.toml", stage::source(), with_wheel());
   const document::Report r = section::make_report(loaded, "1", "", {});
-  REQUIRE(r.sections.size() == 3);
+  REQUIRE(r.sections.size() == 4);
   CHECK(r.sections[1].title == "Round");
   CHECK(r.sections[2].kind == "classification");
   CHECK(r.checks.at(0).passed);  // three times round a wheel of 1 m: 18.85 m

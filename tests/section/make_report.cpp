@@ -20,9 +20,10 @@ std::string check(const std::string& that, const std::string& below) {
 
 }  // namespace
 
-TEST_CASE("sections stand in the order of the scenario, the overview before the first of curves") {
+TEST_CASE("sections stand in the order of the scenario, the overview before the first of curves, what is proved of all at the end") {
   const auto r = of_gantry(asking_for({"mobility", "velocity", "displacement", "classification", "acceleration"}));
-  CHECK(ids(r) == std::vector<std::string>{"mobility", "overview", "velocity", "displacement", "classification", "acceleration"});
+  CHECK(ids(r) ==
+        std::vector<std::string>{"mobility", "overview", "velocity", "displacement", "classification", "acceleration", "every-instant"});
 }
 
 TEST_CASE("a section bears the title that the scenario gives it, any other its own") {
@@ -33,7 +34,8 @@ TEST_CASE("a section bears the title that the scenario gives it, any other its o
 
 TEST_CASE("every kind of curves has one data file, with a column for the time and one for each quantity with its unit") {
   const auto r = of_gantry(asking_for({"displacement", "classification"}));
-  REQUIRE(r.data.size() == 1);
+  REQUIRE(r.data.size() == 2);
+  CHECK(r.data[1].name == "every_instant");
   CHECK(r.data[0].name == "displacement");
   REQUIRE(r.data[0].headings.size() >= 3);
   CHECK(r.data[0].headings[0] == "t [s]");
@@ -66,7 +68,7 @@ TEST_CASE("checks of the scenario come first, then what every report demands") {
   CHECK(r.checks[0].passed);
   CHECK(r.checks[1].name == "max(q) < 40 mm");
   CHECK_FALSE(r.checks[1].passed);
-  CHECK(r.checks[2].name == "every sample can be assembled");
+  CHECK(r.checks[2].name == "the mechanism can be assembled");
   CHECK(r.checks[3].name == "strokes and joint limits are kept");
   CHECK(r.checks[4].name == "no singular surface is met");
   CHECK(r.checks[5].name == "the samples show the motion");
@@ -78,19 +80,21 @@ TEST_CASE("a report without a failure has passed, and its summary warns of nothi
   const auto r =
       of_gantry("[load]\nforce = [\"0 N\", \"7 N\", \"0 N\"]\n" + asking_for({"displacement", "velocity", "acceleration", "statics"}));
   CHECK(r.passed());
-  REQUIRE(r.summary.size() == 3);
+  REQUIRE(r.summary.size() == 4);
   for (const document::Paragraph& p : r.summary) CHECK(p.tone == document::Paragraph::Tone::plain);
-  CHECK(r.summary[0].text == "21 samples over 2 s, 1 degrees of freedom.");
-  CHECK_THAT(r.summary[1].text, Contains("Motion: ") && Contains("50 mm * sin(2*pi*t/2 s)"));
-  CHECK_THAT(r.summary[2].text, Contains("Load on the platform: ") && Contains("7 N"));
+  CHECK_THAT(r.summary[0].text, Contains("hold at every instant from 0 s to 2 s (proved, "));
+  CHECK(r.summary[1].text == "21 samples over 2 s, 1 degrees of freedom.");
+  CHECK_THAT(r.summary[2].text, Contains("Motion: ") && Contains("50 mm * sin(2*pi*t/2 s)"));
+  CHECK_THAT(r.summary[3].text, Contains("Load on the platform: ") && Contains("7 N"));
 }
 
 TEST_CASE("the summary tells what failed before it tells what was run") {
   const auto r = of_stage("", "x = \"300 mm * t / 1 s\"\nphi = \"0 deg\"\n", asking_for({"displacement"}) + check("max(x)", "0.5 m"));
-  REQUIRE(r.summary.size() == 5);
+  REQUIRE(r.summary.size() == 6);
   CHECK(r.summary[0].tone == document::Paragraph::Tone::warning);
-  // Over 500 mm from sample 17 on; 600 mm at 2 s.
-  CHECK_THAT(r.summary[0].text, Contains("t = 1.7 s to 2 s") && Contains("its stroke ends at 500 mm") && Contains("4 samples"));
+  // 500 mm at 5/3 s, 600 mm at 2 s.
+  CHECK_THAT(r.summary[0].text, Contains("q leaves its stroke from t = 1.66") &&
+                                    Contains("s to 2 s, at most by 100 mm (600 mm at t = 2 s, ") && Contains("its stroke ends at 500 mm"));
   CHECK(r.summary[1].tone == document::Paragraph::Tone::warning);
   CHECK(r.summary[1].text == "Check failed: t = 2 s: max(x): x is 600 mm, which is not below 500 mm.");
   CHECK(r.summary[2].tone == document::Paragraph::Tone::plain);
@@ -113,7 +117,7 @@ TEST_CASE("a comparison may name a quantity of a section after it, and stands wh
       "[[section]]\nkind = \"comparison\"\n[[section.row]]\nwhat = \"schemes\"\nhere = \"classification.base_schemes\"\n"
       "paper = \"118\"\n" +
       asking_for({"classification"}));
-  CHECK(ids(r) == std::vector<std::string>{"comparison", "classification"});
+  CHECK(ids(r) == std::vector<std::string>{"comparison", "classification", "every-instant"});
   CHECK(row_of(section_of(r, "comparison"), "", "schemes").back() == "reproduces");
 }
 

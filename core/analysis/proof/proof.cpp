@@ -1,5 +1,6 @@
 #include <core/analysis/proof/proof.hpp>
 
+#include <core/analysis/proof/followed.hpp>
 #include <core/analysis/proof/prover.hpp>
 #include <core/analysis/proof/recording_check.hpp>
 #include <core/mechanics/recorded/motion_program.hpp>
@@ -14,8 +15,39 @@ const Extreme* MotionProof::extreme(const ColumnId& column) const {
   return found != extremes.end() ? &*found : nullptr;
 }
 
-MotionProof prove_motion(const mechanics::Machine& machine, const mechanics::Trajectory& trajectory,
-                         const mechanics::Enclosure& /*actuators*/, const ProofOptions& options) {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// Of what comes after nothing is known: claims that hold before are undecided there, and no bracket holds for all of the motion.
+void leave_open(MotionProof& proof, Bounds time, const std::string& reason) {
+  for (Claim& c : proof.claims) {
+    c.undecided.push_back(time);
+    if (c.state == Claim::State::holds) c.state = Claim::State::undecided;
+    c.reason = reason;
+  }
+  for (Extreme& e : proof.extremes) e.least.low = -infinite, e.largest.high = infinite;
+}
+
+// What is looked at of a motion: its coordinates over spans of time, from begin to end, and why not farther.
+struct Known {
+  mechanics::Enclosure motion;
+  Bounds time;
+  std::string beyond;  // why not to the end; empty: it is
+};
+
+Known known(const mechanics::Machine& machine, const mechanics::Trajectory& trajectory, const mechanics::Enclosure& actuators) {
+  const Bounds whole{trajectory.time.front(), trajectory.time.back()};
+  if (trajectory.over) return {trajectory.over, whole, ""};
+  if (!actuators) return {{}, whole, "the motion follows from forces, by an integration whose error has no bound"};
+  FollowedProof followed = prove_followed(machine, trajectory, actuators);
+  return {std::move(followed.over), followed.proved, std::move(followed.reason)};
+}
+
+}  // namespace
+
+MotionProof prove_motion(const mechanics::Machine& machine, const mechanics::Trajectory& trajectory, const mechanics::Enclosure& actuators,
+                         const ProofOptions& options) {
   MotionProof out;
   if (trajectory.samples() < 2) {
     out.unexamined = "there is no motion";
@@ -26,12 +58,14 @@ MotionProof prove_motion(const mechanics::Machine& machine, const mechanics::Tra
   const auto program = mechanics::motion_program(machine, &out.unexamined);
   if (!program) return out;
   out.recording = recording_deviation(machine, trajectory);
-  if (!trajectory.over) {
-    out.unexamined = "the motion follows from forces, by an integration whose error has no bound";
+  const Known k = known(machine, trajectory, actuators);
+  if (!k.motion) {
+    out.unexamined = k.beyond;
     return out;
   }
-  Prover prover(machine, *program, program::in_time(program->program, 2), trajectory.over, {out.begin, out.end}, trajectory.knots, options);
+  Prover prover(machine, *program, program::in_time(program->program, 2), k.motion, k.time, trajectory.knots, options);
   prover.run(out);
+  if (k.time.high < out.end) leave_open(out, {k.time.high, out.end}, k.beyond);
   return out;
 }
 

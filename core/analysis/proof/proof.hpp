@@ -33,7 +33,7 @@ struct Claim {
     undecided,  // neither is certain
     unexamined  // not looked at, for the `reason`
   } state = State::unexamined;
-  std::string reason;
+  std::string reason;  // of unexamined; of a claim that is undecided from some time on, why
 
   struct Broken {        // a stretch of time in which the limit is left for certain
     Bounds begin, end;   // it begins, and ends, within; where the motion begins or ends with it, exactly there

@@ -38,6 +38,38 @@ Number measure(const Analysis& a, const scenario::Measured& m, bool largest) {
   return out;
 }
 
+namespace {
+
+// Of |x|, x between its least and its largest value m and M: the largest is max(-m, M). The least is m where x is positive throughout, -M
+// where it is negative; else it is no more than |m| or |M|, and 0 unless x jumps.
+program::Bounds of_magnitude(const Extreme& e, bool largest) {
+  const program::Bounds &m = e.least, &M = e.largest;
+  if (largest) return {std::max(-m.high, M.low), std::max(-m.low, M.high)};
+  if (m.low >= 0) return m;
+  if (M.high <= 0) return {-M.high, -M.low};
+  return {0, std::min(std::max(std::abs(m.low), std::abs(m.high)), std::max(std::abs(M.low), std::abs(M.high)))};
+}
+
+}  // namespace
+
+std::optional<program::Bounds> measure_proved(const MotionProof& proof, const scenario::Measured& m, bool largest) {
+  const bool greatest = m.reduction == "max";
+  if (!proof.unexamined.empty() || !m.quantity.empty() || m.columns.empty() || (!greatest && m.reduction != "min")) return {};
+  std::optional<program::Bounds> out;
+  for (const std::string& name : m.columns) {
+    const Extreme* e = proof.extreme(ColumnId::named(name));
+    if (e == nullptr || !e->least.bounded() || !e->largest.bounded()) return {};
+    const program::Bounds b = m.absolute ? of_magnitude(*e, greatest) : greatest ? e->largest : e->least;
+    if (!out)
+      out = b;
+    else if (largest)
+      out = program::Bounds{std::max(out->low, b.low), std::max(out->high, b.high)};
+    else
+      out = program::Bounds{std::min(out->low, b.low), std::min(out->high, b.high)};
+  }
+  return out;
+}
+
 Peak peak(const Analysis& a, const ColumnId& column) {
   Peak out;
   const std::vector<double>& x = a.column(column);

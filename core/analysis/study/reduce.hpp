@@ -5,6 +5,7 @@
 #include <core/scenario/measured.hpp>
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ struct Number {
 // Of the columns of `m`; "at" a time between two samples is a sample of its own (instant.hpp). `largest`: of a group the largest column
 // counts, else the smallest. NaN when one of them is missing or has no value.
 Number measure(const Analysis& a, const scenario::Measured& m, bool largest = true);
+
+// The same over every instant, where it was proved: the number lies within, by the brackets of all columns of a "min" or "max". None: of a
+// quantity or another reduction, or where a column has no bracket.
+std::optional<program::Bounds> measure_proved(const MotionProof& proof, const scenario::Measured& m, bool largest = true);
 
 // The sample with the largest magnitude in a column; value 0 and sample -1 where there is none.
 struct Peak {

@@ -5,6 +5,7 @@
 #include <core/mechanics/conformance/dynamics_properties.hpp>
 #include <core/mechanics/conformance/jumps.hpp>
 #include <core/mechanics/conformance/property_list.hpp>
+#include <core/mechanics/conformance/recorded_properties.hpp>
 #include <core/mechanics/conformance/rest_properties.hpp>
 #include <core/mechanics/conformance/scalar_properties.hpp>
 #include <core/mechanics/conformance/wrench_properties.hpp>
@@ -67,6 +68,8 @@ class Suite {
     const ScalarDeviation d = scalar_deviation(machine_, batch_);
     take(*p_.lanes, d.lanes);
     take(*p_.extended, d.extended);
+    p_.extended->unexamined = d.no_extended;
+    look_at_recording(machine_, batch_, p_);
     p_.stresses->applies = p_.redundant->evaluations == 0 || p_.stresses->evaluations > 0;
     for (Property& p : p_.all)
       if (p.verdict() == Verdict::not_examined && p.unexamined.empty()) p.unexamined = why_unexamined(options);

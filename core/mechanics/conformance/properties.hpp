@@ -19,6 +19,7 @@ struct Property {
   std::string where;         // the pose, joint or body of the worst case, and what to look at when it fails
   long evaluations = 0;      // how often it was looked at
   bool applies = true;       // false: the mechanism has nothing of the kind
+  bool optional = false;     // a sound mechanism may leave it unexamined
   std::string unexamined{};  // why it was not looked at, though it applies
   Verdict verdict() const;   // what was never looked at does not pass
   bool holds() const { return verdict() == Verdict::passed || verdict() == Verdict::not_applicable; }

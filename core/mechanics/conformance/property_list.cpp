@@ -58,6 +58,11 @@ PropertyList::PropertyList(const Machine& machine, double length, const Property
   partials = &add("partials are exact", "partials times coordinate rates against jets", rounding, "");
   lanes = &add("lanes equal doubles", "poses many at once against one at a time, all scalar types", 1e-11, "");
   extended = &add("extended precision agrees", "extended against double precision", 1e-12, "");
+  recorded = &add("recording equals place and jacobian", "recorded operations on numbers against place and jacobian", 1e-11, "");
+  recorded_rates = &add("recording has the same rates", "recorded operations, differentiated in time, against jets", 1e-11, "");
+  recorded_partials =
+      &add("recording has the same partials", "recorded operations, differentiated by the coordinates, against partials", 1e-11, "");
+  for (Property* p : {recorded, recorded_rates, recorded_partials}) p->optional = !machine.records();
   round_trip = &add("forward inverts inverse displacement",
                     "coordinates recovered from actuator values, guess a hundredth of the size away", 1e-8, "");
   statics = &add("closed-form statics equal the generic model's", "actuator forces by G and by the system over all bodies", 1e-8, "");

@@ -24,8 +24,8 @@ struct PropertyList {
 
   std::vector<Property> all;
   Property *reach, *home, *units, *gap, *turn, *velocity, *acceleration, *drives, *mobility, *jacobian, *jacobian_rate, *regular, *wrenches,
-      *limb_wrenches, *jumps, *rates, *accelerations, *matrices, *partials, *lanes, *extended, *round_trip, *statics, *power, *mass,
-      *energy, *virtual_work, *bodies, *stresses, *redundant, *limits;
+      *limb_wrenches, *jumps, *rates, *accelerations, *matrices, *partials, *lanes, *extended, *recorded, *recorded_rates,
+      *recorded_partials, *round_trip, *statics, *power, *mass, *energy, *virtual_work, *bodies, *stresses, *redundant, *limits;
 };
 
 // A deviation that was found. `where` gives the words of the place; it is asked of the worst alone.

@@ -34,7 +34,8 @@ class Comparison {
           many_q[(i * in + e) * count + k] = poses[k * dof_ + i] * (e == 0                 ? 1.0
                                                                     : order == PM_EXTENDED ? 1e-18
                                                                                            : 0.5 * static_cast<double>(e));
-    machine_.place(order, count, many_q.data(), many.data());
+    const pm_status status = machine_.place(order, count, many_q.data(), many.data(), order == PM_EXTENDED ? &found.no_extended : nullptr);
+    if (order == PM_EXTENDED && status != PM_OK) return;
     const bool wrenches = order != PM_EXTENDED;
     if (wrenches) machine_.jacobian(order, count, many.data(), many_g.data());
     for (std::size_t k = 0; k < count; ++k) {

@@ -146,6 +146,8 @@ const program::Program* Machine::program(std::string* why) const {
   return nullptr;
 }
 
+bool Machine::records() const { return contract::records(*table_); }
+
 pm_status Machine::place(pm_order order, std::size_t count, const double* coordinates, double* placement, std::string* why) const {
   if (order == PM_EXTENDED && program() != nullptr) return place_extended(count, coordinates, placement, why);
   const auto ask = [&](pm_text* text) { return table_->kinematics->place(instance_, order, count, coordinates, placement, text); };

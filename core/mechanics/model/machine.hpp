@@ -102,6 +102,8 @@ class Machine {
   // The geometry as a program: inputs the coordinates; outputs the numbers of a placement, as of layout(), then the 36 of G. Made when
   // first asked for, by whatever thread. nullptr: there is none; `why` then gets a sentence.
   const program::Program* program(std::string* why = nullptr) const;
+  // The mechanism offers to record its geometry: plugins may not, and could not before contract 1.3.
+  bool records() const;
 
   // The matrices of the source, in the order of topology().matrices; none where the plugin brings none, or gives none at this pose.
   std::vector<Eigen::MatrixXd> matrices(std::span<const double> coordinates, const Pose& pose) const;

@@ -3,6 +3,7 @@
 #include <core/scenario/expression/behaviour.hpp>
 #include <core/scenario/expression/range.hpp>
 #include <functional>
+#include <limits>
 #include <numbers>
 
 namespace pmreport::scenario {
@@ -14,13 +15,15 @@ constexpr std::size_t most_work = 1u << 27;   // terms evaluated: a second or tw
 constexpr int deepest = 30;                   // halvings of one of the first steps
 constexpr int most_restless = 64;             // steps that are not short enough even so: beside a pole one or two are not
 constexpr int deepest_search = 6;             // halvings of a step in search of switches
+constexpr int most_turning = 1 << 14;         // cells beyond these halvings in which what tells a switch may turn back
 
 using J = Jet<double>;
+using program::Bounds;
 
 // Whether a function does, over the range of its argument, little enough for a handful of points to show it. Polynomials do little over any
 // short time; what they make of it is judged by the functions that take it.
 bool calm(const Term& term, std::span<const Range> ranges) {
-  const auto of = [&](int i) { return ranges[static_cast<std::size_t>(i)]; };
+  const auto of = [&](int i) { return ranges[static_cast<std::size_t>(i)].value; };
   switch (term.operation) {
     case Operation::sin:
     case Operation::cos:
@@ -35,7 +38,7 @@ bool calm(const Term& term, std::span<const Range> ranges) {
     case Operation::atan:
       return of(term.a).width() <= 1 || of(term.a).low > 20 || of(term.a).high < -20;
     case Operation::step5: {
-      const Range x = of(term.a), from = of(term.b), to = of(term.c);
+      const Bounds x = of(term.a), from = of(term.b), to = of(term.c);
       const bool inside = x.high > std::min(from.low, to.low) && x.low < std::max(from.high, to.high);
       return !inside || x.width() <= std::abs(to.low - from.low) / 2;
     }
@@ -47,17 +50,19 @@ bool calm(const Term& term, std::span<const Range> ranges) {
 // A function of the terms that tells a switch: it changes its sign there, or, where `singular`, touches zero.
 struct Telltale {
   std::function<J(std::span<const J>)> value;
-  std::function<Range(std::span<const Range>)> range;
-  std::size_t term;  // the last that it needs
+  std::function<Range(std::span<const Range>)> range;  // rounded, but its signs are right
+  std::size_t term;                                    // the last that it needs
   bool singular;
   double constant = 0;  // that it is told from: its rounding is relative to that
 };
+
+Bounds difference(const Bounds& a, const Bounds& b) { return {a.low - b.high, a.high - b.low}; }
 
 Telltale difference(int a, int b, bool singular) {
   const auto first = static_cast<std::size_t>(a), second = static_cast<std::size_t>(b);
   return {[=](std::span<const J> x) { return x[first] - x[second]; },
           [=](std::span<const Range> r) {
-            return Range{r[first].low - r[second].high, r[first].high - r[second].low};
+            return Range{difference(r[first].value, r[second].value), difference(r[first].rate, r[second].rate)};
           },
           std::max(first, second), singular};
 }
@@ -65,16 +70,27 @@ Telltale less(int a, double constant, bool singular) {
   const auto of = static_cast<std::size_t>(a);
   return {[=](std::span<const J> x) { return x[of] - constant; },
           [=](std::span<const Range> r) {
-            return Range{r[of].low - constant, r[of].high - constant};
+            return Range{difference(r[of].value, Bounds::exactly(constant)), r[of].rate};
           },
           of, singular, std::abs(constant)};
+}
+// Of atan2(y, x) that stays on the ray y = 0: where x changes its sign.
+Telltale along_ray(int y, int x) {
+  const auto height = static_cast<std::size_t>(y), along = static_cast<std::size_t>(x);
+  return {[=](std::span<const J> v) { return v[height].value == 0 ? v[along] : J(1.0); },
+          [=](std::span<const Range> r) {
+            return r[height].value.has(0) ? r[along] : Range{Bounds::exactly(1), Bounds::exactly(0)};
+          },
+          std::max(height, along), false};
 }
 
 std::vector<Telltale> telltales(std::span<const Term> terms) {
   std::vector<Telltale> out;
   for (const Term& term : terms) switch (term.operation) {
-      case Operation::abs:
       case Operation::atan2:  // beyond a half-turn
+        out.push_back(along_ray(term.a, term.b));
+        [[fallthrough]];
+      case Operation::abs:
         out.push_back(less(term.a, 0, false));
         break;
       case Operation::min:
@@ -105,7 +121,8 @@ std::vector<Telltale> telltales(std::span<const Term> terms) {
         out.push_back({[of](std::span<const J> x) { return cos(x[of]); },
                        [of](std::span<const Range> r) {
                          const auto half_turns = [](double x) { return std::floor(x / std::numbers::pi - 0.5); };
-                         return half_turns(r[of].low) == half_turns(r[of].high) ? Range{1, 1} : Range{-1, 1};
+                         const bool one = half_turns(r[of].value.low) == half_turns(r[of].value.high);
+                         return Range{one ? Bounds::exactly(1) : Bounds{-1, 1}, {}};
                        },
                        of, true});
         break;
@@ -135,6 +152,7 @@ class Observer {
   // The switches that one telltale tells. `times` rise; the range of the telltale says where to look more closely.
   void find(const Telltale& tale, const std::vector<double>& times, std::vector<Switch>& out) {
     closer_ = {times.front()};
+    turning_ = 0;
     for (std::size_t i = 1; i < times.size(); ++i) look(tale, times[i - 1], times[i], 0);
     double old_time = closer_.front();
     J old = at(tale, old_time);
@@ -145,7 +163,9 @@ class Observer {
       const int here = sign_of(now.value);
       if (sign * here < 0) {
         const Switch found = bisect(tale, old_time, time, sign);
-        if (found.after - found.before <= 1e-9 * (time - old_time)) out.push_back(found);  // else it stays zero: another switch began that
+        // Else it stays zero: another switch began that, or is this one. Beside a pole the times are near already, but not as near as that.
+        const double cell = time - old_time, nearest = 8 * std::numeric_limits<double>::epsilon() * std::abs(time);
+        if (found.after - found.before <= std::max(1e-9 * cell, std::min(nearest, cell / 16))) out.push_back(found);
       } else if (tale.singular && sign * here > 0 && now.rate * sign > 0 && old.rate * sign < 0) {
         touch(tale, old_time, time, sign, std::max(std::abs(old.value), std::abs(now.value)), out);
       } else if (tale.singular && here == 0 && i + 1 < closer_.size() && sign * sign_of(at(tale, closer_[i + 1]).value) > 0) {
@@ -159,9 +179,9 @@ class Observer {
  private:
   static int sign_of(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
-  void ranges(std::size_t terms, double from, double to) {
+  void values(std::size_t terms, double from, double to) {
     work_ += terms;
-    ranges_of(terms_.first(terms), from, to, ranges_);
+    values_of(terms_.first(terms), from, to, ranges_);
   }
   J at(const Telltale& tale, double t) {
     work_ += terms_.size();
@@ -171,7 +191,7 @@ class Observer {
 
   bool divide(double from, double to, int depth, std::vector<double>& steps) {
     if (steps.size() > most_steps || exhausted()) return false;
-    ranges(terms_.size(), from, to);
+    values(terms_.size(), from, to);
     const double middle = 0.5 * (from + to);
     const bool short_enough = std::all_of(terms_.begin(), terms_.end(), [&](const Term& t) { return calm(t, ranges_); });
     const bool done = short_enough || depth == deepest || !(from < middle && middle < to);
@@ -183,15 +203,26 @@ class Observer {
 
   void look(const Telltale& tale, double from, double to, int depth) {
     const double middle = 0.5 * (from + to);
-    if (depth < deepest_search && !exhausted() && from < middle && middle < to) {
-      ranges(tale.term + 1, from, to);
-      if (tale.range(ranges_).has(0)) {
+    if (depth < deepest && !exhausted() && from < middle && middle < to) {
+      values(tale.term + 1, from, to);
+      if (tale.range(ranges_).value.has(0) && (depth < deepest_search || may_turn(tale, from, to))) {
         look(tale, from, middle, depth + 1);
         look(tale, middle, to, depth + 1);
         return;
       }
     }
     closer_.push_back(to);
+  }
+
+  // Whether it may come back to the sign that it had, so that its ends tell nothing. A function that is singular is blown up by rounding
+  // nearer to its zeros, and one that stays zero turns everywhere: most_turning.
+  bool may_turn(const Telltale& tale, double from, double to) {
+    if (tale.singular || turning_ >= most_turning) return false;
+    work_ += tale.term + 1;
+    ranges_of(terms_.first(tale.term + 1), from, to, ranges_);
+    if (!tale.range(ranges_).rate.has(0)) return false;
+    ++turning_;
+    return true;
   }
 
   // The last time with the old sign and the first with the new one; zero is neither.
@@ -236,7 +267,7 @@ class Observer {
   std::vector<Range> ranges_;
   std::vector<J> values_;
   std::vector<double> closer_;
-  int restless_ = 0;
+  int restless_ = 0, turning_ = 0;
   std::size_t work_ = 0;
 };
 

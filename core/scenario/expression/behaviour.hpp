@@ -20,7 +20,8 @@ struct Behaviour {
   std::vector<Switch> switches;  // inside, rising
   bool complete = true;          // false: it wavers or switches more often than can be looked at, and only a part of it was
 };
-// Of an expression of t alone, begin < end. Two switches that undo each other within a hundredth of a step may be missed.
+// Of an expression of t alone, begin < end. Two singular places that undo each other within a hundredth of a step may be missed, and
+// switches where there are ten thousand places that look like some.
 Behaviour behaviour(const Expression& expression, double begin, double end);
 
 }  // namespace pmreport::scenario

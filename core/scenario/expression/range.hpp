@@ -1,19 +1,18 @@
-// Ranges of numbers, and what a function makes of them: it takes no value outside the range that is returned for it. Rounding is not
-// counted outwards: a range tells how finely to look, it proves nothing.
+// Ranges of the terms of an expression: no term takes a value outside its own, rounding included.
 #pragma once
 
+#include <core/program/bounds.hpp>
 #include <core/scenario/expression/expression.hpp>
 #include <vector>
 
 namespace pmreport::scenario {
 
+// Where there is a value at all. Not bounded where nothing bounds it.
 struct Range {
-  double low = 0, high = 0;  // infinite where nothing bounds it
-  double width() const { return high - low; }
-  bool has(double x) const { return low <= x && x <= high; }
+  program::Bounds value, rate;  // the rate of both branches, where a function goes over from one to another
 };
-
-// The range of every term of an expression of t alone, t in [begin, end], in the terms' order.
+// The range of every term of an expression of t alone, t in [begin, end], in the terms' order; without their rates in half the time.
+void values_of(std::span<const Term> terms, double begin, double end, std::vector<Range>& out);
 void ranges_of(std::span<const Term> terms, double begin, double end, std::vector<Range>& out);
 
 }  // namespace pmreport::scenario

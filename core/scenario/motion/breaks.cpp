@@ -30,13 +30,15 @@ Scales scales_of(const Law& law) {
   std::vector<double> ends = law.steps;
   for (const Switch& s : law.switches) ends.push_back(s.time());
   std::sort(ends.begin(), ends.end());
-  for (std::size_t i = 1; i < ends.size(); ++i) {
-    const Derivatives x = at(law, 0.5 * (ends[i - 1] + ends[i]));
-    if (!std::isfinite(x[0] + x[1] + x[2])) continue;
-    low = std::min(low, x[0]), high = std::max(high, x[0]);
-    for (const std::size_t k : {1, 2}) out.size[k] = std::max(out.size[k], std::abs(x[k]));
-    out.largest = std::max(out.largest, std::abs(x[0]));
-  }
+  // At two places between, aside from the middle, where the rate of what comes and goes is zero.
+  for (std::size_t i = 1; i < ends.size(); ++i)
+    for (const double share : {0.25, 0.7}) {
+      const Derivatives x = at(law, ends[i - 1] + share * (ends[i] - ends[i - 1]));
+      if (!std::isfinite(x[0] + x[1] + x[2])) continue;
+      low = std::min(low, x[0]), high = std::max(high, x[0]);
+      for (const std::size_t k : {1, 2}) out.size[k] = std::max(out.size[k], std::abs(x[k]));
+      out.largest = std::max(out.largest, std::abs(x[0]));
+    }
   out.size[0] = std::max(high - low, 0.0);
   return out;
 }

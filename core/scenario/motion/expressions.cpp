@@ -1,13 +1,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <core/scenario/expression/enclosure.hpp>
 #include <core/scenario/expression/integral.hpp>
+#include <core/scenario/expression/integral_enclosure.hpp>
 #include <core/scenario/motion/laws.hpp>
 #include <core/text/text.hpp>
 #include <memory>
 
 namespace pmreport::scenario {
 namespace {
+
+using program::Bounds;
 
 constexpr std::string_view rate_suffix = "_rate";
 
@@ -18,7 +22,11 @@ Law at_home(const Moved& m) {
           m.unit,
           {},
           [home](double) { return Jet<double>(home); },
-          fmt::format("{} = {}{}{} (home)", m.name, format_number(home * unit.per_si, 6), unit.label == "°" ? "" : " ", unit.label)};
+          fmt::format("{} = {}{}{} (home)", m.name, format_number(home * unit.per_si, 6), unit.label == "°" ? "" : " ", unit.label),
+          {},
+          {},
+          {},
+          at_rest(home)};
 }
 
 // How the expression of one of them behaves; nothing, told, where it wavers beyond all looking.
@@ -33,18 +41,25 @@ std::optional<Behaviour> behaviour_of(const Written& written, const std::string&
 
 // Nothing, told, where it has no finite value or derivative.
 std::optional<Law> from_value(const Moved& m, Written written, Behaviour behaviour, Diagnostics& diagnostics) {
-  const std::string description = fmt::format("{} = {}", m.name, printable(written.text));
+  const auto value = std::make_shared<const Expression>(std::move(written.expression));
   Law out{m.name,
           m.unit,
           written.place,
-          [expression = std::move(written.expression)](double t) { return expression.at(t); },
-          description,
+          [value](double t) { return value->at(t); },
+          fmt::format("{} = {}", m.name, printable(written.text)),
           std::move(behaviour.steps),
           std::move(behaviour.switches),
-          {}};
+          {},
+          [value](Bounds time) { return over(*value, time); }};
   out.breaks = breaks_of(out);
   if (!bounded(out, out.breaks, diagnostics)) return std::nullopt;
   return out;
+}
+
+std::vector<double> rising(std::vector<double> times) {
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
 }
 
 // From a rate: the value is its integral from home, the acceleration its exact derivative. Between its steps the rate is a matter of a few
@@ -52,7 +67,8 @@ std::optional<Law> from_value(const Moved& m, Written written, Behaviour behavio
 std::optional<Law> from_rate(const Moved& m, Written written, Behaviour behaviour, Diagnostics& diagnostics) {
   constexpr double good = 1e-9;  // of the way there and back
   const auto rate = std::make_shared<const Expression>(std::move(written.expression));
-  const Law itself{m.name, m.unit, written.place, [rate](double t) { return rate->at(t); }, "", behaviour.steps, behaviour.switches, {}};
+  const Law itself{m.name, m.unit, written.place, [rate](double t) { return rate->at(t); }, "", behaviour.steps, behaviour.switches,
+                   {},     {}};
   std::vector<mechanics::Break> breaks = breaks_of(itself);
   std::erase_if(breaks, [](const mechanics::Break& b) { return b.of == mechanics::Break::Of::acceleration; });
   for (mechanics::Break& b : breaks)  // of what is integrated they are one derivative higher
@@ -60,9 +76,7 @@ std::optional<Law> from_rate(const Moved& m, Written written, Behaviour behaviou
   if (!bounded(itself, breaks, diagnostics)) return std::nullopt;
   std::vector<double> knots = behaviour.steps;
   for (const Switch& s : behaviour.switches) knots.push_back(s.time());
-  std::sort(knots.begin(), knots.end());
-  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
-  const auto value = std::make_shared<const Integral>([rate](double t) { return rate->at(t); }, m.home, std::move(knots));
+  const auto value = std::make_shared<const Integral>([rate](double t) { return rate->at(t); }, m.home, rising(std::move(knots)));
   if (value->error() > good * value->magnitude()) {
     const DisplayUnit unit = display_unit(m.unit, value->error());
     diagnostics.add(written.place,
@@ -71,6 +85,9 @@ std::optional<Law> from_rate(const Moved& m, Written written, Behaviour behaviou
                     fmt::format("give {} itself", m.name));
     return std::nullopt;
   }
+  std::vector<double> sides = behaviour.steps;
+  for (const Switch& s : behaviour.switches) sides.insert(sides.end(), {s.before, s.after});
+  const auto proved = std::make_shared<const IntegralEnclosure>(*rate, m.home, rising(std::move(sides)), value->magnitude());
   return Law{m.name,
              m.unit,
              written.place,
@@ -81,7 +98,8 @@ std::optional<Law> from_rate(const Moved& m, Written written, Behaviour behaviou
              fmt::format("{}{} = {}", m.name, rate_suffix, printable(written.text)),
              std::move(behaviour.steps),
              std::move(behaviour.switches),
-             std::move(breaks)};
+             std::move(breaks),
+             [proved](Bounds time) { return proved->over(time); }};
 }
 
 const Entry* entry_of(const Value& table, const std::string& key) {

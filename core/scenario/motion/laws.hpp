@@ -39,8 +39,13 @@ struct Law {
   std::vector<mechanics::Break> breaks = {};
   // The same over a span of time, within the motion: bounds at every instant, both sides of a switch in, rounding included. Not bounded
   // where nothing is known.
-  std::function<mechanics::Bounded(program::Bounds)> over = {};
+  std::function<Jet<program::Bounds>(program::Bounds)> over = {};
 };
+// `over` of a law at rest.
+inline auto at_rest(double value) {
+  using program::Bounds;
+  return [value](Bounds) { return Jet<Bounds>(Bounds::exactly(value), Bounds::exactly(0), Bounds::exactly(0)); };
+}
 // Which of its switches are breaks: the law is taken on both sides, and what differs by more than its rounding jumps; by infinity, where a
 // derivative grows beyond all bounds.
 std::vector<mechanics::Break> breaks_of(const Law& law);

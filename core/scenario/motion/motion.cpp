@@ -123,6 +123,15 @@ MotionRequest request_of(const Laws& laws) {
     }
     return true;
   };
+  out.over = [laws = laws.laws](program::Bounds time, mechanics::Bounded* bounded) {
+    bool known = false;
+    for (const Law& law : laws) {
+      const Jet<program::Bounds> x = law.over(time);
+      known = known || x.value.bounded();
+      *bounded++ = {x.value, x.rate, x.acceleration};
+    }
+    return known;
+  };
   for (const Law& law : laws.laws) join(out.steps, law.steps);
   return out;
 }
@@ -255,6 +264,7 @@ MotionPart read_motion(const Entry* entry, bool needed, const MechanismPart& mec
   else if (until != nullptr)
     solved = end_at_singularity(std::move(*solved), *mechanism.machine, until->place, diagnostics);
   if (!solved) return part;
+  if (!laws->by_actuators) solved->over = request.over;
   take_breaks(*laws, *solved);
   mechanics::cut_off(*solved, solved->time.size());
   take(std::move(request), std::move(*solved), part);

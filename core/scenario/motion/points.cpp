@@ -26,13 +26,15 @@ std::string ends_of(Ends ends, std::size_t points) {
 // The law through points. `of`: what they are, "3 waypoints".
 Law through(const Moved& m, Place place, const std::vector<double>& times, std::vector<double> values, bool quintic, Ends ends,
             const std::string& of) {
-  Law out{m.name, m.unit, place, {}, {}, times, {}, {}};
+  Law out{m.name, m.unit, place, {}, {}, times, {}, {}, {}};
   for (std::size_t i = 1; i + 1 < times.size(); ++i) out.switches.push_back({times[i], times[i]});
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const double moves = *high - *low;
   if (quintic) {
     out.description = fmt::format("{}: quintic profile through {}, at rest in each", m.name, of);
-    out.at = [curve = std::make_shared<const QuinticSteps>(times, std::move(values))](double t) { return curve->at(t); };
+    const auto curve = std::make_shared<const QuinticSteps>(times, std::move(values));
+    out.at = [curve](double t) { return curve->at(t); };
+    out.over = [curve](program::Bounds time) { return curve->over(time); };
   } else {
     const auto curve = std::make_shared<const CubicSpline>(times, std::move(values), ends);
     out.description = fmt::format("{}: cubic spline through {}, {}", m.name, of, ends_of(ends, times.size()));
@@ -42,6 +44,7 @@ Law through(const Moved& m, Place place, const std::vector<double>& times, std::
                                      unit.label == "°" ? "" : " ", unit.label, format_number(time, 4));
     }
     out.at = [curve](double t) { return curve->at(t); };
+    out.over = [curve](program::Bounds time) { return curve->over(time); };
   }
   if (moves == 0) out.description = fmt::format("{}: constant", m.name);
   return out;
@@ -209,8 +212,15 @@ std::optional<Laws> read_motion_file(const Entry& entry, const Through& how, con
   for (std::size_t j = 0; j < columns.size(); ++j) {
     const Moved& c = moved[j];
     if (columns[j] == nullptr) {
-      out.laws.push_back(
-          {c.name, c.unit, entry.value.place, [home = c.home](double) { return Jet<double>(home); }, fmt::format("{}: home", c.name)});
+      out.laws.push_back({c.name,
+                          c.unit,
+                          entry.value.place,
+                          [home = c.home](double) { return Jet<double>(home); },
+                          fmt::format("{}: home", c.name),
+                          {},
+                          {},
+                          {},
+                          at_rest(c.home)});
       continue;
     }
     const auto refuse_row = [&](std::size_t row, const std::string& message, const std::string& hint) {

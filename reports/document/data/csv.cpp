@@ -8,7 +8,7 @@ namespace pmreport::document {
 namespace {
 
 // A spreadsheet runs a cell that starts like a formula; the apostrophe makes it text.
-std::string heading(const std::string& raw) {
+std::string text_cell(const std::string& raw) {
   std::string text = clean(raw);
   if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos) text.insert(0, "'");
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -30,19 +30,25 @@ void append(std::string& out, double number) {
 }  // namespace
 
 std::string to_csv(const Data& d) {
-  const std::size_t columns = d.columns.size(), rows = columns == 0 ? 0 : d.columns.front().size();
+  const std::size_t words = d.words.size(), columns = words + d.columns.size();
+  const std::size_t rows = words > 0 ? d.words.front().size() : columns > 0 ? d.columns.front().size() : 0;
   if (d.headings.size() != columns) throw std::logic_error("data " + d.name + ": one heading a column");
-  for (const auto& column : d.columns) {
+  const auto equally_long = [&](const auto& column) {
     if (column.size() != rows) throw std::logic_error("data " + d.name + ": columns are not equally long");
-  }
+  };
+  for (const auto& column : d.words) equally_long(column);
+  for (const auto& column : d.columns) equally_long(column);
   std::string out;
-  for (std::size_t c = 0; c < columns; ++c) out += (c ? "," : "") + heading(d.headings[c]);
+  for (std::size_t c = 0; c < columns; ++c) out += (c ? "," : "") + text_cell(d.headings[c]);
   out += '\n';
   for (std::size_t row = 0; row < rows; ++row) {
     const std::size_t start = out.size();
     for (std::size_t c = 0; c < columns; ++c) {
       if (c) out += ',';
-      append(out, d.columns[c][row]);
+      if (c < words)
+        out += text_cell(d.words[c][row]);
+      else
+        append(out, d.columns[c - words][row]);
     }
     if (out.size() == start) out += "\"\"";  // a lone empty cell would be an empty line, which readers skip
     out += '\n';

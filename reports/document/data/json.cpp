@@ -1,5 +1,6 @@
+#include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <reports/document/data/json_proof.hpp>
 #include <reports/document/data/results.hpp>
 #include <reports/document/names.hpp>
 #include <reports/document/tally.hpp>
@@ -9,18 +10,28 @@ namespace pmreport::document {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 // JSON has no NaN: null, and the status that every number carries says why.
 void put_number(Json& into, const char* key, double value) { into[key] = std::isfinite(value) ? Json(value) : Json(nullptr); }
 const char* status_of(double value) { return std::isfinite(value) ? "ok" : "not finite"; }
 
-Json json_of(const Tally& tally) { return {{"total", tally.total}, {"failed", tally.failed}, {"not_examined", tally.not_examined}}; }
+// "not_decided", a key.
+std::string key_of(Verdict verdict) {
+  std::string key = word_of(verdict);
+  std::ranges::replace(key, ' ', '_');
+  return key;
+}
+
+Json json_of(const Tally& tally) {
+  Json out{{"total", tally.total()}};
+  for (std::size_t i = 0; i < verdicts; ++i) out[key_of(static_cast<Verdict>(i))] = tally.counts[i];
+  return out;
+}
 
 Json json_of(const Evidence& line) {
-  Json out{{"claim", line.claim}, {"how", line.how}, {"passed", line.verdict() == Verdict::passed}};
+  const Verdict verdict = line.verdict();
+  Json out{{"claim", line.claim}, {"how", line.how}, {"state", key_of(verdict)}, {"passed", verdict == Verdict::passed}};
   put_number(out, "value", line.value);
-  out["status"] = line.examined ? status_of(line.value) : "not examined";
+  out["status"] = line.stated ? word_of(*line.stated) : status_of(line.value);
   if (!line.reason.empty()) out["reason"] = line.reason;
   put_number(out, "tolerance", line.tolerance);
   out["unit"] = line.unit;
@@ -32,6 +43,8 @@ Json json_of(const Check& check) {
   put_number(out, "value", check.value);
   out["status"] = status_of(check.value);
   put_number(out, "bound", check.bound);
+  out["decided_by"] = check.proved ? "proof" : "samples";
+  if (std::isfinite(check.bracket.low) && std::isfinite(check.bracket.high)) out["bracket"] = {check.bracket.low, check.bracket.high};
   out.update({{"unit", check.unit}, {"message", check.message}, {"line", check.line}});
   return out;
 }
@@ -75,7 +88,7 @@ Json sections_of(const Report& r) {
       if (!proof) continue;
       for (const Evidence& line : proof->lines) evidence.push_back(json_of(line));
     }
-    const bool passed = tally_evidence(section).failed == 0;
+    const bool passed = tally_evidence(section).failed() == 0;
     out.push_back({{"id", section.id}, {"kind", section.kind}, {"title", section.title}, {"passed", passed}, {"evidence", evidence}});
   }
   return out;
@@ -115,7 +128,9 @@ Json data_list(const Report& r, const Names& names) {
     out.push_back({{"name", data.name},
                    {"csv", "data/" + names.data[i] + ".csv"},
                    {"columns", data.headings},
-                   {"rows", data.columns.empty() ? 0 : data.columns.front().size()}});
+                   {"rows", !data.words.empty()     ? data.words.front().size()
+                            : !data.columns.empty() ? data.columns.front().size()
+                                                    : 0}});
   }
   return out;
 }
@@ -125,7 +140,7 @@ Json data_list(const Report& r, const Names& names) {
 std::string to_json(const Report& r) {
   const Names names = names_of(r);
   const Provenance& from = r.provenance;
-  Json out{{"schema", results_schema}, {"schema_version", 1}, {"title", r.title}, {"author", r.author}, {"description", r.description}};
+  Json out{{"schema", results_schema}, {"schema_version", 2}, {"title", r.title}, {"author", r.author}, {"description", r.description}};
   out["mechanism"] = {{"name", from.mechanism}, {"title", r.mechanism_title}, {"source", r.source}};
   out["provenance"] = {{"program", from.program},
                        {"version", from.version},
@@ -136,6 +151,7 @@ std::string to_json(const Report& r) {
   out["warnings"] = warnings_of(r);
   out["checks"] = list_of(r.checks);
   out["sections"] = sections_of(r);
+  if (r.every_instant) out["proof"] = json_of(*r.every_instant);
   out["values"] = list_of(r.values);
   out["figures"] = figure_list(r, names);
   out["snapshots"] = snapshot_list(r, names);

@@ -10,17 +10,32 @@ namespace pmreport::document {
 
 namespace {
 
+int skipped(const Tally& tally) { return tally[Verdict::not_decided] + tally[Verdict::not_examined] + tally[Verdict::not_applicable]; }
+
 std::string attributes(const std::string& name, const Tally& tally) {
-  return fmt::format("name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\"", escape(name), tally.total, tally.failed,
-                     tally.not_examined);
+  return fmt::format("name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\"", escape(name), tally.total(),
+                     tally[Verdict::failed], tally[Verdict::error], skipped(tally));
 }
 
 // What was measured and what was asked stand with every case, passed or not: a trend is read from them before anything breaks.
 std::string outcome(Verdict verdict, const char* type, const std::string& finding, const std::string& detail) {
   const std::string text = detail.empty() ? finding : finding + "\n" + detail;
-  if (verdict == Verdict::not_examined) return fmt::format("      <skipped message=\"{}\"/>\n", escape(text));
-  if (verdict == Verdict::passed) return fmt::format("      <system-out>{}</system-out>\n", escape(text));
-  return fmt::format("      <failure type=\"{}\" message=\"{}\">{}</failure>\n", type, escape(finding), escape(text));
+  const auto broken = [&](const char* element) {
+    return fmt::format("      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n", element, type, escape(finding), escape(text));
+  };
+  switch (verdict) {
+    case Verdict::passed:
+      return fmt::format("      <system-out>{}</system-out>\n", escape(text));
+    case Verdict::failed:
+      return broken("failure");
+    case Verdict::error:
+      return broken("error");
+    case Verdict::not_decided:
+    case Verdict::not_examined:
+    case Verdict::not_applicable:
+      break;
+  }
+  return fmt::format("      <skipped message=\"{}\"/>\n", escape(text));
 }
 
 std::string to_case(const Check& check, const std::string& scenario) {
@@ -39,17 +54,18 @@ std::string to_case(const Evidence& line, const std::string& section) {
 
 std::string to_junit(const Report& r) {
   const Names names = names_of(r);
-  const Tally checks = tally_checks(r), evidence = tally_evidence(r);
-  const Tally all{checks.total + evidence.total, checks.failed + evidence.failed, evidence.not_examined};
+  const Tally checks = tally_checks(r);
+  Tally all = tally_evidence(r);
+  all += checks;
   std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites " + attributes(r.title, all) + ">\n";
-  if (checks.total > 0) {
+  if (checks.total() > 0) {
     out += "  <testsuite " + attributes("checks", checks) + ">\n";
     for (const Check& check : r.checks) out += to_case(check, r.provenance.scenario_name);
     out += "  </testsuite>\n";
   }
   for (std::size_t s = 0; s < r.sections.size(); ++s) {
     const Tally tally = tally_evidence(r.sections[s]);
-    if (tally.total == 0) continue;
+    if (tally.total() == 0) continue;
     out += "  <testsuite " + attributes(names.sections[s], tally) + ">\n";
     for (const Block& block : r.sections[s].blocks) {
       const auto* proof = std::get_if<Proof>(&block);

@@ -13,16 +13,25 @@ namespace {
 
 std::string plural(int count, const char* one, const char* many) { return std::to_string(count) + " " + (count == 1 ? one : many); }
 
-// "All 3 checks passed", "1 of 3 checks failed", "2 of 3 lines of evidence passed, 1 was not examined"
+// "All 3 checks passed", "1 of 3 checks failed", "2 of 4 lines of evidence passed, 1 was not decided, 1 was not examined"
 std::string told(const Tally& tally, const char* one, const char* many, const char* none) {
-  if (tally.total == 0) return none;
-  const std::string blank = tally.not_examined > 0
-                                ? ", " + std::to_string(tally.not_examined) + (tally.not_examined == 1 ? " was" : " were") + " not examined"
-                                : "";
-  if (tally.failed > 0) return std::to_string(tally.failed) + " of " + plural(tally.total, one, many) + " failed" + blank;
-  if (tally.not_examined > 0)
-    return std::to_string(tally.total - tally.not_examined) + " of " + plural(tally.total, one, many) + " passed" + blank;
-  return (tally.total == 1 ? "The one " + std::string(one) : "All " + plural(tally.total, one, many)) + " passed";
+  const int total = tally.total();
+  if (total == 0) return none;
+  if (tally[Verdict::passed] == total) return (total == 1 ? "The one " + std::string(one) : "All " + plural(total, one, many)) + " passed";
+  std::string out;
+  const auto add = [&](Verdict verdict, const std::string& predicate) {
+    const int n = tally[verdict];
+    if (n == 0 && !(verdict == Verdict::passed && out.empty())) return;
+    out += (out.empty() ? std::to_string(n) + " of " + plural(total, one, many) : ", " + std::to_string(n)) + " " + predicate;
+  };
+  const auto was = [&](Verdict verdict) { add(verdict, (tally[verdict] == 1 ? "was " : "were ") + word_of(verdict)); };
+  add(Verdict::failed, "failed");
+  add(Verdict::error, "could not be computed");
+  if (out.empty()) add(Verdict::passed, "passed");
+  was(Verdict::not_decided);
+  was(Verdict::not_examined);
+  was(Verdict::not_applicable);
+  return out;
 }
 
 void write_contents(Page& page) {
@@ -31,7 +40,7 @@ void write_contents(Page& page) {
   const auto item = [&](const std::string& anchor, const std::string& title, const Tally& tally) {
     html.element("li", [&] {
       html.element("a", {{"href", "#" + anchor}}, title);
-      if (tally.failed > 0)
+      if (tally.failed() > 0)
         html.element("span", {{"class", "failed"}, {"title", told(tally, "line of evidence", "lines of evidence", "")}}, " ✗");
     });
   };
@@ -83,7 +92,7 @@ void write_failures(Page& page) {
         const auto* proof = std::get_if<Proof>(&block);
         if (!proof) continue;
         for (const Evidence& line : proof->lines) {
-          if (!line.failed()) continue;
+          if (!line.failed() || told_by_a_check(r, line)) continue;
           html.element("li", [&] {
             html.element("a", {{"href", "#" + page.names.sections[s]}}, r.sections[s].title);
             html.text(": " + line.claim + ": " + finding(line));

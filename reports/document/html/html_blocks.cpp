@@ -3,7 +3,6 @@
 
 #include <reports/document/finding.hpp>
 #include <reports/document/html/html_page.hpp>
-#include <reports/document/quantity.hpp>
 
 namespace pmreport::document {
 
@@ -114,8 +113,8 @@ void write_proof(Page& page, const Section& section, const Proof& proof) {
               html.element("div", line.claim);
               if (const std::string how = how_it_is_shown(line); !how.empty()) html.element("div", {{"class", "how"}}, how);
             });
-            html.element("td", {{"class", "number"}}, rounded(line.value, line.unit));
-            html.element("td", {{"class", "number"}}, rounded(line.tolerance, line.unit));
+            html.element("td", {{"class", "number"}}, number_shown(line, line.value));
+            html.element("td", {{"class", "number"}}, number_shown(line, line.tolerance));
           });
         }
       });
@@ -148,8 +147,14 @@ void write_result(Page& page, Verdict verdict) {
       return say("result passed", "✓ passed");
     case Verdict::failed:
       return say("result failed", "✗ failed");
+    case Verdict::not_decided:
+      return say("result undecided", "? not decided");
     case Verdict::not_examined:
       return say("result", "– not examined");
+    case Verdict::not_applicable:
+      return say("result", "– not applicable");
+    case Verdict::error:
+      return say("result failed", "✗ error");
   }
 }
 

@@ -44,7 +44,7 @@ nav .failed { color: var(--bad); font-weight: 700; }
 .warning { background: #fdf5e3; border-left: .4rem solid #c58a1b; padding: .6rem 1.2rem; max-width: none; }
 .warning strong { color: var(--alert); }
 .note { color: var(--quiet); font-size: .925rem; }
-.result { white-space: nowrap; font-weight: 600; } .result.passed { color: var(--good); } .result.failed { color: var(--bad); }
+.result { white-space: nowrap; font-weight: 600; } .result.passed { color: var(--good); } .result.failed { color: var(--bad); } .result.undecided { color: var(--alert); }
 
 .scroll { overflow-x: auto; margin: 1.4rem 0; background: linear-gradient(to right, #fff 40%, transparent) left / 2rem 100% no-repeat local,
   linear-gradient(to left, #fff 40%, transparent) right / 2rem 100% no-repeat local,

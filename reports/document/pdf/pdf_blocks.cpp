@@ -1,5 +1,6 @@
 #include <reports/document/pdf/pdf_blocks.hpp>
 #include <reports/document/pdf/pdf_link.hpp>
+#include <reports/document/tally.hpp>
 #include <reports/figure/draw.hpp>
 
 #include <fmt/format.h>
@@ -74,9 +75,20 @@ void put_field(Composer& c, const std::string& label, const std::string& value) 
 }
 
 std::string verdict_markup(Verdict verdict) {
-  return verdict == Verdict::passed   ? coloured("pass", good)
-         : verdict == Verdict::failed ? coloured("<b>FAIL</b>", bad)
-                                      : coloured("not examined", grey);
+  switch (verdict) {
+    case Verdict::passed:
+      return coloured("pass", good);
+    case Verdict::failed:
+      return coloured("<b>FAIL</b>", bad);
+    case Verdict::error:
+      return coloured("<b>ERROR</b>", bad);
+    case Verdict::not_decided:
+      return coloured(word_of(verdict), caution);
+    case Verdict::not_examined:
+    case Verdict::not_applicable:
+      break;
+  }
+  return coloured(word_of(verdict), grey);
 }
 
 std::string numbered(const char* kind, int number, const std::string& caption_markup) {

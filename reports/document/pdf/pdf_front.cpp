@@ -12,9 +12,10 @@ namespace pmreport::document::pdf {
 namespace {
 
 std::string kept(const Tally& t, const char* one, const char* many) {
-  if (t.total == 0) return fmt::format("no {}", many);
-  return fmt::format("{} of {} {}{}", t.total - t.failed - t.not_examined, t.total, t.total == 1 ? one : many,
-                     t.not_examined > 0 ? fmt::format(" ({} not examined)", t.not_examined) : "");
+  if (t.total() == 0) return fmt::format("no {}", many);
+  const std::string others = counted(t, {Verdict::error, Verdict::not_decided, Verdict::not_examined, Verdict::not_applicable});
+  return fmt::format("{} of {} {}{}", t[Verdict::passed], t.total(), t.total() == 1 ? one : many,
+                     others.empty() ? "" : " (" + others + ")");
 }
 
 // A line that leads to where a claim failed.
@@ -35,7 +36,7 @@ void put_pointer(Composer& c, const std::string& what, const Entry& where) {
 
 void put_verdict(Composer& c, const std::vector<Entry>& sections, const Entry& checks) {
   const Tally asked = tally_checks(c.report), shown = tally_evidence(c.report);
-  const bool claims = asked.total + shown.total > 0, passed = c.report.passed();
+  const bool claims = asked.total() + shown.total() > 0, passed = c.report.passed();
   const Colour colour = !claims ? grey : passed ? good : bad;
   const Style large{{.size = 13, .bold = true}, 22};
   const Lines word(c.cr, coloured(!claims ? "NOTHING TO CHECK" : passed ? "PASSED" : "FAILED", colour), large, 0);
@@ -54,9 +55,9 @@ void put_verdict(Composer& c, const std::vector<Entry>& sections, const Entry& c
                     counts.draw(cr, 14, large.pitch + 2);
                   },
               .keep_with_next = !passed});
-  if (asked.failed > 0) put_pointer(c, asked.failed == 1 ? "a check fails" : fmt::format("{} checks fail", asked.failed), checks);
+  if (asked.failed() > 0) put_pointer(c, asked.failed() == 1 ? "a check fails" : fmt::format("{} checks fail", asked.failed()), checks);
   for (std::size_t i = 0; i < sections.size(); ++i) {
-    if (tally_evidence(c.report.sections[i]).failed > 0) put_pointer(c, "evidence fails", sections[i]);
+    if (tally_evidence(c.report.sections[i]).failed() > 0) put_pointer(c, "evidence fails", sections[i]);
   }
 }
 

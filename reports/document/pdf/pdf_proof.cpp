@@ -1,6 +1,5 @@
 #include <reports/document/finding.hpp>
 #include <reports/document/pdf/pdf_table.hpp>
-#include <reports/document/quantity.hpp>
 
 #include <fmt/format.h>
 
@@ -24,7 +23,7 @@ void put_proof(Composer& c, const Proof& p) {
     std::string claim = markup_line(e.claim);
     if (const std::string how = how_it_is_shown(e); !how.empty()) claim += "\n" + smaller(markup_line(how), grey);
     g.rows.push_back(
-        {claim, markup_line(rounded(e.value, e.unit)), markup_line(rounded(e.tolerance, e.unit)), verdict_markup(e.verdict())});
+        {claim, markup_line(number_shown(e, e.value)), markup_line(number_shown(e, e.tolerance)), verdict_markup(e.verdict())});
   }
   put_grid(c, g);
 }

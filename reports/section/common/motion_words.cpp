@@ -2,6 +2,7 @@
 
 #include <core/scenario/loaded.hpp>
 #include <core/text/text.hpp>
+#include <reports/section/common/demands.hpp>
 #include <reports/section/common/words.hpp>
 
 #include <fmt/core.h>
@@ -63,6 +64,12 @@ int count_jumps(const Analysis& a) {
   return static_cast<int>(std::count_if(breaks.begin(), breaks.end(), [](const Break& b) { return b.of != Break::Of::acceleration; }));
 }
 
+bool must_be_smooth(const Analysis& a) {
+  const analysis::Asked asked = analysis::asked_by(a.scenario());
+  const bool rates_count = asked.velocity_evidence || asked.acceleration_evidence || asked.forces;
+  return rates_count && a.scenario().motion && !a.scenario().motion->by_forces();
+}
+
 std::vector<std::string> jump_sentences(const Analysis& a) {
   return sentences(a, {Break::Of::value, Break::Of::rate}, "no finite force follows it");
 }
@@ -99,12 +106,8 @@ std::vector<document::Check> motion_demands(const Analysis& a, const std::vector
     out.push_back(c);
   };
   const int hidden = static_cast<int>(unseen.size()), jumping = count_jumps(a);
-  demand("the samples show the motion", hidden, hidden == 0 ? "nothing hidden" : fmt::format("{} hidden", hidden),
-         unseen_sentences(a, unseen));
-  const analysis::Asked asked = analysis::asked_by(a.scenario());
-  const bool rates_count = asked.velocity_evidence || asked.acceleration_evidence || asked.forces;
-  if (rates_count && !a.scenario().motion->by_forces())
-    demand("values and rates of the motion do not jump", jumping, plural(jumping, "jump"), jump_sentences(a));
+  demand(demands::visibility, hidden, hidden == 0 ? "nothing hidden" : fmt::format("{} hidden", hidden), unseen_sentences(a, unseen));
+  if (must_be_smooth(a)) demand(demands::smoothness, jumping, plural(jumping, "jump"), jump_sentences(a));
   return out;
 }
 

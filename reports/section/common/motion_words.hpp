@@ -14,6 +14,8 @@ using mechanics::Break;
 
 // How often value or rate of something that is prescribed jump.
 int count_jumps(const Analysis& a);
+// Whether the scenario asks for what follows from rates of a motion that it prescribes: then neither values nor rates may jump.
+bool must_be_smooth(const Analysis& a);
 // "The rate of x jumps by 100 mm/s at t = 1 s and 3 s: no finite force follows it.", one for each that jumps: in value or rate; in
 // acceleration.
 std::vector<std::string> jump_sentences(const Analysis& a);

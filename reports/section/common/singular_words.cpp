@@ -108,8 +108,9 @@ std::string sentence(const Analysis& a, const Crossing& c) {
       c.lasts()   ? fmt::format("From t = {} to t = {}", time(c.time), time(c.until))
       : at_sample ? fmt::format("At the sample t = {}", time(c.time))
                   : fmt::format("Between t = {} and t = {}", show_time(a, c.before), show_time(a, std::min(c.before + 1, a.samples() - 1)));
-  return fmt::format("{} the motion {} {}: {}{}. {}", when, does(c), place(c), signs_of(c),
-                     at_sample || c.lasts() ? "" : " at t = " + time(c.time), meaning(c.what));
+  return fmt::format("{} the motion {} {}: {}{}. {}{}", when, does(c), place(c), signs_of(c),
+                     at_sample || c.lasts() ? "" : " at t = " + time(c.time),
+                     c.unseen ? "The samples do not show it, the proof does. " : "", meaning(c.what));
 }
 
 std::vector<std::string> singularity_sentences(const Analysis& a) {

@@ -1,4 +1,5 @@
 // Section `singularity`: how far the motion stays from a loss of control, where it is lost, of which type, and how the platform escapes.
+#include <reports/section/common/brackets.hpp>
 #include <reports/section/common/plots.hpp>
 #include <reports/section/common/singular_words.hpp>
 #include <reports/section/common/words.hpp>
@@ -55,6 +56,8 @@ document::Table pose_table(const std::vector<ExaminedPose>& poses) {
                     {"pose", "where", "det Ĝ", "σ₆", "condition", "lines", "all", "verdict"},
                     {false, false, true, true, true, true, true, false},
                     {}};
+  const bool proved = std::ranges::any_of(poses, [](const ExaminedPose& p) { return p.proved.has_value(); });
+  if (proved) t.headings.emplace_back("proved within [s]"), t.numeric.push_back(true);
   const auto number = [](double x, int digits) { return typeset(format_number(x, digits)); };
   for (const ExaminedPose& p : poses) {
     // What lies at rounding of a double is zero and is told as such.
@@ -62,6 +65,7 @@ document::Table pose_table(const std::vector<ExaminedPose>& poses) {
     t.rows.push_back({p.name, p.where, zero ? "0" : number(p.determinant, 3), zero ? "0" : number(p.smallest, 3),
                       zero ? "∞" : number(p.condition, 3), std::to_string(p.at.ranks.lines), std::to_string(p.at.ranks.wrenches),
                       type_name(p.at.type)});
+    if (proved) t.rows.back().push_back(p.proved ? bracket_number(*p.proved, 1) : "");
   }
   return t;
 }
@@ -215,6 +219,7 @@ Result singularity_section(const Analysis& a, const SingularityOptions& r, const
     const std::string when = fmt::format("t = {} s", format_number(c.time, 7));
     auto p = examine(a, when, c.coordinates, length, false);
     std::string told = sentence(a, c);
+    if (p) p->proved = c.proved;
     if (p) p->beyond_g = p->beyond_g || (c.what != Crossing::What::surface && c.what != Crossing::What::pole);
     if (p && p->singular() && !p->beyond_g) told += " It is of " + type_words(p->at.type) + ".";
     met.push_back(std::move(told));

@@ -32,6 +32,7 @@ struct ExaminedPose {
   std::optional<mechanics::OnSurface> snapped;          // ranks and type are those of the singular pose that rounded numbers mean
   double determinant = 0, smallest = 0, condition = 0;  // at the numbers given
   bool beyond_g = false;                                // a loss that the constraints of the bodies tell, and G does not
+  std::optional<program::Bounds> proved = {};           // of a crossing that was proved: the times between which it happens [s]
   bool singular() const { return at.type != mechanics::SingularityType::regular; }
 };
 

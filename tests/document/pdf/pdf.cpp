@@ -126,7 +126,7 @@ TEST_CASE("all that the report says can be read in the PDF, as it was typed") {
                            "Scenario",
                            "Provenance",
                            "FAILED",
-                           "1 of 2 checks and 2 of 4 lines of evidence hold",
+                           "1 of 2 checks and 2 of 4 lines of evidence (1 error) hold",
                            "2.1 × 10⁻¹⁵ m",
                            "2.5 × 10⁻⁹",
                            "not computed",

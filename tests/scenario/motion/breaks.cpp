@@ -42,6 +42,25 @@ TEST_CASE("the lowest derivative that jumps is found with its time and its size"
   check_break("x = \"1 mm * (t/1 s)*abs(t/1 s - 1.1) * (t/1 s - 1.1)\"", Break::Of::acceleration, 1.1, 4 * 1.1e-3);
 }
 
+TEST_CASE("a value that jumps is told with its time, by whichever function it does") {
+  constexpr double pi = 3.14159265358979323846;
+  check_break("x = \"1 mm * atan2(sin(t/1 s), cos(t/1 s))/1 rad\"", Break::Of::value, pi, 2e-3 * pi);
+  check_break("x = \"1 mm * atan2(0, cos(t/1 s))/1 rad\"", Break::Of::value, pi / 2, 1e-3 * pi);
+  check_break("x = \"1 mm * atan(1 s/(t - 1.1 s))/1 rad\"", Break::Of::value, 1.1, 1e-3 * pi);
+  check_break("x = \"1 mm * tanh(1 s/(t - 1.1 s))\"", Break::Of::value, 1.1, 2e-3);
+  check_break("x = \"1 mm * max(0, abs(t - 1.1 s)/(t - 1.1 s))\"", Break::Of::value, 1.1, 1e-3);
+  check_break("x_rate = \"1 mm/s * atan2(sin(t/1 s), cos(t/1 s))/1 rad\"", Break::Of::rate, pi, 2e-3 * pi);
+}
+
+TEST_CASE("two kinks between two samples are told both") {
+  const mechanics::Trajectory m = motion_of("x = \"1 mm * max(0, 1 - ((t - 1.7 s)/1 ms)^2)\"");
+  REQUIRE(m.breaks.size() == 2);
+  CHECK(m.breaks[0].of == Break::Of::rate);
+  CHECK(m.breaks[0].time == Approx(1.699));
+  CHECK(m.breaks[1].time == Approx(1.701));
+  CHECK(m.breaks[1].jump == Approx(2));
+}
+
 TEST_CASE("of a rate that is integrated the break is one derivative higher") {
   check_break("x_rate = \"1 mm/s * abs(t/1 s - 1.1)\"", Break::Of::acceleration, 1.1, 0.002);
   check_break("x_rate = \"1 mm/s * abs(t - 1.1 s)/(t - 1.1 s)\"", Break::Of::rate, 1.1, 0.002);

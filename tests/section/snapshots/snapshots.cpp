@@ -54,7 +54,7 @@ TEST_CASE("pictures of one pose in one view are the same: the camera is framed o
 TEST_CASE("a second section of snapshots numbers itself and its pictures") {
   const std::string one = "[[section]]\nkind = \"snapshots\"\ntimes = [\"0 s\"]\nviews = [\"front\"]\n" + small;
   const auto r = of_gantry(one + one);
-  CHECK(ids(r) == std::vector<std::string>{"snapshots", "snapshots2"});
+  CHECK(ids(r) == std::vector<std::string>{"snapshots", "snapshots2", "every-instant"});
   CHECK(pictures_of(r.sections[0]).at(0).id == "snapshot-1");
   CHECK(pictures_of(r.sections[1]).at(0).id == "snapshot2-1");
 }
