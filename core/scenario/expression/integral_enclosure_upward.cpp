@@ -186,7 +186,7 @@ Jet<Bounds> IntegralEnclosure::over(Bounds time) const {
     std::call_once(once_, [&] { panels_ = panels(); });
     const Series<2> f = sharp_series(f_.terms(), Interval(time));
     if (!f[0].bounded()) return {};
-    return {panels_->over(f_.terms(), time, f), f[0].bounds(), f[1].bounds()};
+    return {panels_->over(f_.terms(), time, f), f[0].bounds(), f.smooth < 0 ? Bounds{} : f[1].bounds()};
   });
 }
 
