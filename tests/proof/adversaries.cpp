@@ -24,7 +24,7 @@ bool enclosed(const Bounds& b, double truth, double width) { return b.low <= tru
 }  // namespace
 
 TEST_CASE("a peak that passes its limit by a billionth of its range is broken, from when to when") {
-  const double beyond = 1e-9, bend = 0.04;
+  const double beyond = 1e-9, bend = 0.03;
   const Probed p = probed({}, parabola(limit + beyond, 5.3, bend), 0.1, 0, 10);
   const double half = std::sqrt(beyond / bend);
   REQUIRE(p.stroke(0).state == State::broken);
@@ -40,18 +40,18 @@ TEST_CASE("a peak that passes its limit by a billionth of its range is broken, f
 }
 
 TEST_CASE("a peak that stays inside its limit by a billionth of its range holds") {
-  const Probed p = probed({}, parabola(limit - 1e-9, 5.3, 0.04), 0.1, 0, 10);
+  const Probed p = probed({}, parabola(limit - 1e-9, 5.3, 0.03), 0.1, 0, 10);
   CHECK(p.stroke(0).state == State::holds);
   CHECK_FALSE(p.proof.exhausted);
   CHECK(p.found == "");
 }
 
 TEST_CASE("a peak as near to its limit as rounding can tell is undecided, about when it is there") {
-  const Probed p = probed({}, Cubic{5.3, {limit - 1e-16, 0, -0.04, 0}}, 0.1, 0, 10);
+  const Probed p = probed({}, Cubic{5.3, {limit - 1e-16, 0, -0.03, 0}}, 0.1, 0, 10);
   REQUIRE(p.stroke(0).state == State::undecided);
   REQUIRE(p.stroke(0).undecided.size() == 1);
   CHECK(p.stroke(0).undecided[0].has(5.3));
-  CHECK(p.stroke(0).undecided[0].width() < 1e-5);  // 1e-16 / 0.04 is the square of 5e-8
+  CHECK(p.stroke(0).undecided[0].width() < 1e-5);  // 1e-16 / 0.03 is the square of 5e-8
   CHECK_FALSE(p.proof.exhausted);
   CHECK(p.found == "");
 }
@@ -179,7 +179,7 @@ TEST_CASE("where G has a pole it is unbounded, and where it jumps its determinan
 
 TEST_CASE("out of reach on the way: from when to when, and nothing else is judged there") {
   // x = 0.45 - 0.01 (t - 5)^2 is beyond 0.41 from 3 s to 7 s; phi passes 2 there, and its own stroke with it.
-  const Probed p = probed({{"reach", 0.41}}, parabola(0.45, 5, 0.01), parabola(2.4, 5, 0.2), 0, 10);
+  const Probed p = probed({{"reach", 0.41}}, parabola(0.45, 5, 0.01), parabola(2.4, 5, 0.15), 0, 10);
   REQUIRE(p.assembled().broken.size() == 1);
   CHECK(p.assembled().state == State::broken);
   CHECK(enclosed(p.assembled().broken[0].begin, 3, microsecond));
@@ -191,7 +191,7 @@ TEST_CASE("out of reach on the way: from when to when, and nothing else is judge
 
 TEST_CASE("a mechanism that may be out of reach for a moment proves nothing of that moment") {
   // The reach touches zero at 5 s, and there alone the stroke of the turn may be left: not proved to be kept.
-  const Probed p = probed({{"reach", 0.4}}, parabola(0.4, 5, 0.01), parabola(2 + 1e-13, 5, 0.2), 0, 10);
+  const Probed p = probed({{"reach", 0.4}}, parabola(0.4, 5, 0.01), parabola(2 + 1e-13, 5, 0.15), 0, 10);
   CHECK(p.assembled().state != State::broken);
   CHECK(p.stroke(1).state != State::holds);
   CHECK(p.found == "");

@@ -49,7 +49,8 @@ TEST_CASE("a motion without bounds about an instant is undecided there, and deci
   REQUIRE(stroke.undecided.size() == 1);
   CHECK(stroke.undecided[0].has(3.3));
   CHECK(stroke.undecided[0].width() < 1e-6);
-  CHECK(p.claims[2].state == State::undecided);  // what the mechanism cannot be placed without
+  CHECK(p.claims[2].state == State::holds);  // the turn has nothing to do with it
+  CHECK(p.claims.back().state == State::undecided);
   CHECK_FALSE(p.exhausted);
   CHECK(within_budget(p));
   CHECK_FALSE(p.extreme(ColumnId::named("q"))->largest.bounded());

@@ -19,7 +19,7 @@ class Probe : public Mechanism<2> {
   };
 
   explicit Probe(const Parameters& p) : determinant_(p.choice("determinant")), turn_(p.choice("turn")), reach_(p["reach"]) {
-    t_.coordinates = {{"x", "slide", "m", 0.1, {0.05, 0.2}}, {"phi", "turn", "rad", 0.1, {0.05, 0.2}}};
+    t_.coordinates = {{"x", "slide", "m", 0.1, {0.05, 0.2}}, {"phi", "turn", "rad", 0, {-0.2, 0.2}}};
     t_.derived = {{"height", "height of a feeler", "m", false}};
     const int carriage = t_.add(Body{"carriage", 1, false, Inertia::axisymmetric(3, 0, 0.05, 0.05)});
     t_.platform = t_.add(Body{"table", 0, false, Inertia::axisymmetric(2, 0, 0.01, 0.02)});

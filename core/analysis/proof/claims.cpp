@@ -76,8 +76,9 @@ std::vector<OpenClaim> claims_of(const mechanics::Machine& machine, const mechan
     const auto& [joint, limit, output] = program.joints[k];
     const Joint& j = t.joints[static_cast<std::size_t>(joint)];
     Range range = j.limits[static_cast<std::size_t>(limit)];
-    if (!mechanics::binds(j, range, false)) range.min = -infinite;
-    if (!mechanics::binds(j, range, true)) range.max = infinite;
+    const bool below = mechanics::binds(j, range, false), above = mechanics::binds(j, range, true);  // of the range as it is declared
+    if (!below) range.min = -infinite;
+    if (!above) range.max = infinite;
     out.push_back({{Claim::About::joint_limit, joint, limit, range, Claim::State::holds, "", {}, {}}, quantities.joints[k]});
   }
   for (const std::string& name : program.left_out) {

@@ -11,6 +11,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-13;      // of a quantity
 constexpr double beside_others = 0.01;  // of what its like moves: what hardly moves beside it needs no brackets of its own size
+constexpr double beside_itself = 0.01;  // of a rate: one that hardly changes needs none either
 
 }  // namespace
 
@@ -60,8 +61,10 @@ void ExtremeSearch::end_bounds() {
   for (std::size_t q = 1; q < brackets_.size(); ++q) {
     Bracket& b = brackets_[q];
     const double size = std::max(std::abs(b.largest.low), std::abs(b.least.high));
-    b.tolerance =
-        std::max(share(quantities_.all[q]) * std::max(b.range(), beside_others * widest[like(q)]), size < infinite ? rounding * size : 0);
+    const double largest = size < infinite ? size : 0;
+    const double moves =
+        std::max({b.range(), beside_others * widest[like(q)], quantities_.all[q].order == OfMotion::value ? 0 : beside_itself * largest});
+    b.tolerance = std::max(share(quantities_.all[q]) * moves, rounding * largest);
     if (std::ranges::any_of(b.decide, [&](double x) { return b.least.has(x) || b.largest.has(x); })) b.tolerance = 0;
   }
 }

@@ -144,7 +144,7 @@ struct Krawczyk::Work {
     const Numbers acceleration = near.find_accelerations(prescribed.over, rate);
     Numbers value = near.coordinates();
     if (time.low < time.high) sharpen(frame, time, prescribed, within, prescribed.steady && near.smooth(), acceleration, value, rate);
-    for (std::size_t i = 0; i < m; ++i) out[i] = {value[i].bounds(), rate[i].bounds(), acceleration[i].bounds()};
+    for (std::size_t i = 0; i < m; ++i) out[i] = {value[i].bounds(), rate[i].bounds(), near.smooth() ? acceleration[i].bounds() : Bounds{}};
     return true;
   }
 

@@ -22,6 +22,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // Of what comes after nothing is known: claims that hold before are undecided there, and no bracket holds for all of the motion.
 void leave_open(MotionProof& proof, Bounds time, const std::string& reason) {
   for (Claim& c : proof.claims) {
+    if (c.state == Claim::State::unexamined) continue;
     c.undecided.push_back(time);
     if (c.state == Claim::State::holds) c.state = Claim::State::undecided;
     c.reason = reason;

@@ -242,7 +242,8 @@ void Prover::halve(const std::vector<bool>& chosen) {
 }
 
 void Prover::conclude_all(MotionProof& out) {
-  std::vector<Bounds> unknown;  // where it is not decided whether the mechanism can be assembled, and not beside where it cannot
+  // Where it is not decided whether the mechanism can be assembled; not the moment between where it can and where it cannot.
+  std::vector<Bounds> unknown;
   for (std::size_t c = 0; c < claims_.size(); ++c) {
     Claim& claim = claims_[c].claim;
     for (const Mark& m : doubtful_[c])
@@ -258,7 +259,12 @@ void Prover::conclude_all(MotionProof& out) {
     } else if (claim.reason.empty()) {
       conclude(claim, std::move(marks_[c]));
     }
-    if (c == assembly) unknown = claim.undecided;
+    if (c == assembly) {
+      unknown = claim.undecided;
+      for (const Claim::Broken& b : claim.broken)
+        for (const Bounds& end : {b.begin, b.end})
+          if (end.width() > 4 * finest_) unknown.push_back(end);
+    }
     out.claims.push_back(std::move(claim));
   }
 }

@@ -8,8 +8,8 @@
 namespace pmreport::scenario {
 
 // Value, rate and acceleration at every instant of the span, rounding included; where the expression goes over from one branch to another
-// within, or at an end, those of both sides, and what would be the derivative of a jump is not bounded. Of an expression of t alone. Not
-// bounded: nothing is known. The width is that of what it does in the span to the second order in its length.
+// within, or at an end, those of both sides; no bound of the rate where the value jumps, nor of the acceleration where the rate does. Of an
+// expression of t alone. Not bounded: nothing is known. The width is that of what it does in the span to the second order in its length.
 Jet<program::Bounds> over(const Expression& expression, program::Bounds time);
 
 }  // namespace pmreport::scenario

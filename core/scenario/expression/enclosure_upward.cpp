@@ -10,8 +10,7 @@ Jet<program::Bounds> over(const Expression& expression, program::Bounds time) {
     // Where there is no value there is no rate, though that of a constant be zero.
     if (!f[0].bounded()) return {};
     if (!f[1].bounded() || f.smooth < 0) return {f[0].bounds(), {}, {}};
-    if (f.smooth < 1) return {f[0].bounds(), f[1].bounds(), {}};
-    return {f[0].bounds(), f[1].bounds(), (2.0 * f[2]).bounds()};
+    return {f[0].bounds(), f[1].bounds(), f.smooth < 1 ? program::Bounds{} : (2.0 * f[2]).bounds()};
   });
 }
 
