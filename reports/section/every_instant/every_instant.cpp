@@ -122,25 +122,25 @@ Result every_instant_section(const Analysis& a, const Proved& p, const std::vect
   document::Section& s = out.section;
   s.id = s.kind = "every-instant";
   s.title = "At every instant";
-  s.blocks.emplace_back(Paragraph{tone_of(p), motion_sentence(p)});
+  const auto show = [&s](document::Block block) { s.blocks.push_back(std::move(block)); };
+  show(Paragraph{tone_of(p), motion_sentence(p)});
   if (p.proof.unexamined.empty()) {
-    s.blocks.push_back(Paragraph{
+    show(Paragraph{
         Paragraph::Tone::plain,
         fmt::format(
             "Interval arithmetic on the recorded geometry of the plugin, rounding included, says what no sample can: what is true of "
             "all instants of a span of time. The motion is cut into as many spans as that takes, {} here; times are told to {} or "
             "better where rounding allows it.",
             p.proof.intervals, format_number(1e6 * p.proof.resolution, 2) + " µs")});
-    if (!p.proof.meetings.empty() && !p.singular_everywhere) s.blocks.push_back(table_of_meetings(p.proof));
+    if (!p.proof.meetings.empty() && !p.singular_everywhere) show(table_of_meetings(p.proof));
     const std::vector<ExtremeShown> extremes = extremes_shown(a, p);
-    if (document::Table table = table_of_extremes(a, extremes); !table.rows.empty()) s.blocks.push_back(std::move(table));
+    if (document::Table table = table_of_extremes(a, extremes); !table.rows.empty()) show(std::move(table));
     if (!extremes.empty()) {
-      s.blocks.push_back(
-          Paragraph{Paragraph::Tone::note, "All brackets, of coordinates and derived quantities too, are in data/every_instant.csv."});
+      show(Paragraph{Paragraph::Tone::note, "All brackets, of coordinates and derived quantities too, are in data/every_instant.csv."});
       out.data.push_back(data_of(extremes));
     }
   }
-  s.blocks.push_back(proof_of_motion(a, p, unseen));
+  show(proof_of_motion(a, p, unseen));
   return out;
 }
 
