@@ -93,7 +93,7 @@ TEST_CASE("the summary tells what failed before it tells what was run") {
   REQUIRE(r.summary.size() == 6);
   CHECK(r.summary[0].tone == document::Paragraph::Tone::warning);
   // 500 mm at 5/3 s, 600 mm at 2 s.
-  CHECK_THAT(r.summary[0].text, Contains("q leaves its stroke from t = 1.66") &&
+  CHECK_THAT(r.summary[0].text, Contains("q leaves its stroke from t = 1.6") &&
                                     Contains("s to 2 s, at most by 100 mm (600 mm at t = 2 s, ") && Contains("its stroke ends at 500 mm"));
   CHECK(r.summary[1].tone == document::Paragraph::Tone::warning);
   CHECK(r.summary[1].text == "Check failed: t = 2 s: max(x): x is 600 mm, which is not below 500 mm.");

@@ -18,13 +18,15 @@ namespace {
 constexpr std::size_t joints_shown = 6;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The range that bounds a column: a stroke, or the limit of a joint; infinite: none.
+// The range that bounds a column: a stroke, or the limit of a joint; infinite: none. A deflection is never less than 0, which bounds
+// nothing.
 Bounds range_of(const Topology& t, const ColumnId& column) {
   for (const Actuator& a : t.actuators)
     if (column_of(a) == column) return {a.stroke.min, a.stroke.max};
   for (const Joint& j : t.joints)
     for (std::size_t i = 0; i < j.limits.size(); ++i)
-      if (j.kind != JointKind::prismatic && analysis::joint_column(j, i) == column) return {j.limits[i].min, j.limits[i].max};
+      if (j.kind != JointKind::prismatic && analysis::joint_column(j, i) == column)
+        return {j.kind == JointKind::spherical ? -infinity : j.limits[i].min, j.limits[i].max};
   return {};
 }
 
@@ -37,11 +39,13 @@ Bounds sampled(const Analysis& a, const ColumnId& column) {
 
 // How much of the range is left beside the extremes, of the range; less than zero beyond it.
 double room(const ExtremeShown& e) {
-  const double width = e.range.high - e.range.low;
-  return std::min(e.extreme->least.low - e.range.low, e.range.high - e.extreme->largest.high) / width;
+  const bool both = std::isfinite(e.range.low);
+  const double above = e.range.high - e.extreme->largest.high, below = both ? e.extreme->least.low - e.range.low : infinity;
+  return std::min(above, below) / (both ? e.range.high - e.range.low : e.range.high);
 }
 
 bool of_joint(const ExtremeShown& e) { return e.column.group == "joint_angle"; }
+bool is_limited_joint(const ExtremeShown& e) { return of_joint(e) && std::isfinite(e.range.high); }
 
 // One of the two extremes of a column.
 struct Row {
@@ -65,7 +69,7 @@ std::vector<Row> of_interest(const std::vector<ExtremeShown>& all) {
       out.push_back({&e, true});
     } else if (e.column.group.starts_with("actuator")) {
       out.push_back({&e, largest.high >= -least.low});
-    } else if (of_joint(e) && e.range.bounded()) {
+    } else if (is_limited_joint(e)) {
       joints.push_back({&e, e.range.high - largest.high <= least.low - e.range.low});
     }
   }
@@ -91,13 +95,13 @@ document::Table table_of_extremes(const Analysis& a, const std::vector<ExtremeSh
                         {false, false, true, true, true, true},
                         {}};
   std::size_t limited = 0, joints = 0;
-  for (const ExtremeShown& e : extremes) limited += of_joint(e) && e.range.bounded();
+  for (const ExtremeShown& e : extremes) limited += is_limited_joint(e);
   for (const Row& r : of_interest(extremes)) {
     const ExtremeShown& e = *r.shown;
     joints += of_joint(e);
     const Bounds samples = sampled(a, e.column);
     const double size = std::max(std::abs(e.extreme->least.low), std::abs(e.extreme->largest.high));
-    const DisplayUnit unit = display_unit(e.column.unit, e.range.bounded() ? std::max(size, std::abs(e.range.high)) : size);
+    const DisplayUnit unit = display_unit(e.column.unit, std::isfinite(e.range.high) ? std::max(size, std::abs(e.range.high)) : size);
     const auto number = [&](double si, int digits) { return typeset(format_number(si * unit.per_si, digits)); };
     const double seen = r.largest ? samples.high : samples.low;
     table.rows.push_back({fmt::format("{} [{}]", e.column.name, unit.label), r.largest ? "largest" : "least",
