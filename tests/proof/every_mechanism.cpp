@@ -26,7 +26,7 @@ TEST_CASE("what is proved of random motions of every mechanism holds at random i
       const MotionProof proof = prove_motion(*machine, sine_motion(sines, 10, 101), {});
       INFO(name << ", seed " << seed);
       REQUIRE(proof.unexamined.empty());
-      const auto found = contradictions(*machine, proof, law_of(sines), {.random = 400, .dense = 4000, .seed = seed});
+      const auto found = contradictions(*machine, proof, law_of(sines), {.random = 300, .dense = 2000, .seed = seed});
       CHECK(joined(found) == "");
       CHECK(joined(contradictions_by_plugin(*machine, proof, law_of(sines), 200, seed)) == "");
       broken += static_cast<int>(count(proof, Claim::State::broken));

@@ -4,6 +4,7 @@
 #include <core/program/derivative.hpp>
 #include <tests/proof/attack.hpp>
 #include <tests/proof/mechanisms.hpp>
+#include <tests/proof/probed.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -133,19 +134,22 @@ TEST_CASE("brackets that are a billionth of the range too narrow are found") {
 }
 
 TEST_CASE("a meeting that is left out is found, and one that is said to be another") {
-  Proved p("parallel-cross", 0.9, 1.4, 5);
-  REQUIRE(std::ranges::count(p.proof.meetings, Meeting::What::crossing, &Meeting::what) > 0);
-  CHECK(p.attacked() == "");
+  const Pieces x = Cubic{4.3, {0, 0.02, 0, 0}}, phi = 0.1;
+  Probed p = probed({{"determinant", 1}}, x, phi, 0, 10);
+  const auto attacked = [&] { return joined(contradictions(*p.machine, p.proof, law_of({x, phi}), {.dense = 500})); };
+  REQUIRE(p.proof.meetings.size() == 1);
+  CHECK(attacked() == "");
   const MotionProof sound = p.proof;
-  const auto crossing = [&] { return std::ranges::find(p.proof.meetings, Meeting::What::crossing, &Meeting::what); };
-  p.proof.meetings.erase(crossing());
-  CHECK(p.attacked() != "");
+  p.proof.meetings.clear();
+  p.proof.claims.back().state = Claim::State::holds;
+  CHECK(attacked() != "");
   p.proof = sound;
-  crossing()->what = Meeting::What::touch;
-  CHECK(p.attacked() != "");
+  p.proof.meetings[0].what = Meeting::What::touch;
+  p.proof.claims.back().state = Claim::State::undecided;
+  CHECK(attacked() != "");
   p.proof = sound;
-  p.proof.meetings.insert(p.proof.meetings.begin(), {Meeting::What::crossing, {1e-3, 1.001e-3}});
-  CHECK(p.attacked() != "");
+  p.proof.meetings[0].time = {4.2, 4.21};
+  CHECK(attacked() != "");
 }
 
 TEST_CASE("bounds of a motion that are too small by a millionth of their width are found") {
