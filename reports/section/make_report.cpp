@@ -158,7 +158,7 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
   if (s.motion) {
     // The last: the sections before keep the order that the scenario gives them, and what they show at the samples it says of every
     // instant.
-    Result always = every_instant_section(a, p, unseen);
+    AtEveryInstant always = every_instant_section(a, p, unseen);
     r.sections.push_back(std::move(always.section));
     for (document::Data& d : always.data) r.data.push_back(std::move(d));
     r.every_instant = every_instant_results(a, p);

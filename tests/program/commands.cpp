@@ -18,12 +18,13 @@ TEST_CASE("the option --check validates and writes nothing") {
   CHECK(contents(here.path()).size() == 1);
 }
 
-TEST_CASE("a report that passes says so in one line") {
+TEST_CASE("a report that passes says so in one line, and in another what is proved of all of its motion") {
   const Workshop here;
   const Result result = here.report(small);
   CHECK(result.status == 0);
   CHECK_THAT(result.out, StartsWith("passed: 6 checks, ") && Contains("; scenario-report/report.html\n"));
-  CHECK(std::count(result.out.begin(), result.out.end(), '\n') == 1);
+  CHECK_THAT(result.out, Contains("hold at every instant from 0 s to 2 s (proved, "));
+  CHECK(std::count(result.out.begin(), result.out.end(), '\n') == 2);
   CHECK(result.err.empty());
 }
 

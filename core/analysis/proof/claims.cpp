@@ -122,22 +122,31 @@ Judgement judge(const OpenClaim& c, const SpanFacts& span, const Instants& insta
   return met && value.width() <= 4 * narrowest ? Judgement::hopeless : Judgement::open;
 }
 
-Mark mark(const OpenClaim& c, Judgement judged, const SpanFacts& span, const InstantFacts& middle) {
+Mark mark(const OpenClaim& c, Judgement judged, const SpanFacts& span, const Instants& instants) {
   Mark out;
   out.time = span.time;
   out.what = judged == Judgement::broken ? Mark::What::broken : Mark::What::undecided;
-  out.at = middle.time;
+  out.at = instants.middle.time;
   if (c.claim.about == Claim::About::regular) {
     if (!span.finite_wrenches) out.what = Mark::What::unbounded;
     return out;
   }
   const auto q = static_cast<std::size_t>(c.quantity);
+  const Range& range = c.claim.range;
   out.value = span.value[q];
-  out.value_at = middle.value[q];
-  out.broken_within = judged == Judgement::broken ||
-                      ((middle.assembled || c.claim.about == Claim::About::assembled) && leaves_range(out.value_at, c.claim.range));
+  out.value_at = instants.middle.value[q];
+  out.broken_within = judged == Judgement::broken;
+  // Of the instants at which it is broken for certain the farthest beyond counts.
+  double farthest = 0;
+  for (const InstantFacts* f : {&instants.middle, &instants.begin, &instants.end}) {
+    const Bounds& x = f->value[q];
+    if (!(f->assembled || c.claim.about == Claim::About::assembled) || !leaves_range(x, range)) continue;
+    const double beyond = std::max(x.low - range.max, range.min - x.high);
+    out.broken_within = true;
+    if (beyond > farthest) farthest = beyond, out.at = f->time, out.value_at = x;
+  }
   const Bounds& told = out.broken_within ? out.value_at : out.value;
-  out.above = out.broken_within ? told.low > c.claim.range.max : told.high > c.claim.range.max;
+  out.above = out.broken_within ? told.low > range.max : told.high > range.max;
   return out;
 }
 

@@ -38,7 +38,7 @@ struct Mark {
   Bounds value_at;
   int side_before = 0, side_after = 0;  // of det G, at its ends; 0: not certain
 };
-Mark mark(const OpenClaim& claim, Judgement judged, const SpanFacts& span, const InstantFacts& middle);
+Mark mark(const OpenClaim& claim, Judgement judged, const SpanFacts& span, const Instants& instants);
 
 // Sums the marks up, in any order: state, broken and undecided stretches. A run of marks that touch has a stretch of each row of marks that
 // are broken at every instant, which begins and ends within the undecided ones beside it, and is told the worst that is certain in these;

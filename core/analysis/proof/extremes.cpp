@@ -51,7 +51,7 @@ void ExtremeSearch::bound(const SpanFacts& span) {
 
 double ExtremeSearch::share(const Quantity& q) const {
   if (q.order == OfMotion::acceleration) return options_.bracket_of_accelerations;
-  return q.of == Quantity::Of::joint ? options_.bracket_of_joints : options_.bracket;
+  return q.of == Quantity::Of::joint || q.of == Quantity::Of::derived ? options_.bracket_of_others : options_.bracket;
 }
 
 void ExtremeSearch::end_bounds() {

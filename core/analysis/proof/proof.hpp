@@ -80,10 +80,10 @@ struct MotionProof {
 };
 
 struct ProofOptions {
-  int most_intervals = 20000;              // on the whole
-  double finest = 1e-7;                    // [s]: no interval is halved that is shorter
-  double bracket = 1e-6;                   // of the range of a quantity: how near the ends of its brackets come
-  double bracket_of_joints = 1e-4;         // the same of the motions of joints
+  int most_intervals = 20000;       // on the whole
+  double finest = 1e-7;             // [s]: no interval is halved that is shorter
+  double bracket = 1e-6;            // of the range of a coordinate or an actuator, or its rate: how near the ends of its brackets come
+  double bracket_of_others = 1e-3;  // the same of joints and derived quantities
   double bracket_of_accelerations = 1e-2;  // the same of accelerations, whose own rates are not followed: theirs come near more slowly
   long most_for_accelerations = 2000;      // evaluations: their brackets end where these do
   // Values that brackets should tell from the extremes of their columns, as far as rounding lets them.

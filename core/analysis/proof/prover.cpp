@@ -106,7 +106,7 @@ bool Prover::spent(std::size_t more) const {
 }
 
 Mark Prover::marked(const Leaf& leaf, int claim, Judgement judged) const {
-  Mark m = mark(claims_[static_cast<std::size_t>(claim)], judged, leaf.facts, *leaf.middle);
+  Mark m = mark(claims_[static_cast<std::size_t>(claim)], judged, leaf.facts, leaf.instants());
   m.side_before = leaf.begin->side, m.side_after = leaf.end->side;
   return m;
 }
@@ -241,6 +241,20 @@ void Prover::halve(const std::vector<bool>& chosen) {
   leaves_ = std::move(kept);
 }
 
+namespace {
+
+// A stretch in which a quantity has its extreme is as bad as that.
+void know_worst(Claim& claim, const Extreme* extreme) {
+  for (Claim::Broken& b : claim.broken) {
+    if (extreme == nullptr) continue;
+    const double at = b.above ? extreme->at_largest : extreme->at_least;
+    const Bounds& worst = b.above ? extreme->largest : extreme->least;
+    if (b.begin.low <= at && at <= b.end.high && worst.bounded()) b.worst = worst, b.at = at;
+  }
+}
+
+}  // namespace
+
 void Prover::conclude_all(MotionProof& out) {
   // Where it is not decided whether the mechanism can be assembled; not the moment between where it can and where it cannot.
   std::vector<Bounds> unknown;
@@ -258,6 +272,8 @@ void Prover::conclude_all(MotionProof& out) {
       if (claim.state != Claim::State::broken && !out.meetings.empty()) claim.state = Claim::State::undecided;
     } else if (claim.reason.empty()) {
       conclude(claim, std::move(marks_[c]));
+      if (claims_[c].quantity > 0)
+        know_worst(claim, out.extreme(quantities_.column(machine_, quantities_.all[static_cast<std::size_t>(claims_[c].quantity)])));
     }
     if (c == assembly) {
       unknown = claim.undecided;

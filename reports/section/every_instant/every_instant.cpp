@@ -117,8 +117,8 @@ Paragraph::Tone tone_of(const Proved& p) {
 
 }  // namespace
 
-Result every_instant_section(const Analysis& a, const Proved& p, const std::vector<analysis::Unseen>& unseen) {
-  Result out;
+AtEveryInstant every_instant_section(const Analysis& a, const Proved& p, const std::vector<analysis::Unseen>& unseen) {
+  AtEveryInstant out;
   document::Section& s = out.section;
   s.id = s.kind = "every-instant";
   s.title = "At every instant";

@@ -2,15 +2,19 @@
 #pragma once
 
 #include <core/analysis/study/between_samples.hpp>
+#include <reports/document/report.hpp>
 #include <reports/section/common/proof_words.hpp>
-#include <reports/section/kind.hpp>
 
 #include <vector>
 
 namespace pmreport::section {
 
 // Its sentence, table of extremes and evidence, with the brackets as data; the same as programs read it.
-Result every_instant_section(const Analysis& a, const Proved& p, const std::vector<analysis::Unseen>& unseen);
+struct AtEveryInstant {
+  document::Section section;
+  std::vector<document::Data> data;
+};
+AtEveryInstant every_instant_section(const Analysis& a, const Proved& p, const std::vector<analysis::Unseen>& unseen);
 document::EveryInstant every_instant_results(const Analysis& a, const Proved& p);
 
 // A line a kind of claim, or one for those that hold, one for those that are broken, and so on, where they differ.

@@ -262,7 +262,7 @@ TEST_CASE("the table sets the brackets beside the samples, and the data have the
   Trial t;
   t.extreme("q", {-1e-9, 0}, {0.0200001, 0.0200003});
   t.extreme("q_rate", {0.01, 0.01}, {0.01, 0.01});
-  const Result r = every_instant_section(t.run.analysis, t.proved(), {});
+  const AtEveryInstant r = every_instant_section(t.run.analysis, t.proved(), {});
   CHECK(r.section.id == "every-instant");
   const document::Table& table = report_words::table_of(r.section, "Least and largest values");
   REQUIRE(table.rows.size() == 3);  // both ends of a stroke, of a rate the larger
