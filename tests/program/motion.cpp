@@ -130,7 +130,7 @@ TEST_CASE("limbs beyond the ends of their strokes are told in one sentence, with
   CHECK(found[3] == longest);
   CHECK(std::stod(found[4]) == Approx(*worst * 1e3 - 850).epsilon(5e-3));                            // told with three digits
   CHECK(std::stod(found[5]) == Approx(*worst * 1e3).epsilon(5e-4));                                  // with four
-  CHECK(std::stod(found[6]) == Approx(0.1 * static_cast<double>(worst - l.begin())).margin(0.01));   // the motion comes to rest there
+  CHECK(std::stod(found[6]) == Approx(0.1 * static_cast<double>(worst - l.begin())).margin(0.1));    // beside it, within a step
   CHECK_THAT(result.out, Contains("FAILED  strokes and joint limits are kept: " + found[0].str()));  // the console names it too
   // The values stand in the data: a limit is no gap.
   for (const auto& [name, column] : data) {
