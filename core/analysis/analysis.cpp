@@ -12,6 +12,26 @@
 
 namespace pmreport::analysis {
 
+namespace {
+
+// What the checks hold extremes of columns against: brackets should tell.
+std::vector<std::pair<ColumnId, double>> bounds_of_checks(const scenario::Scenario& scenario) {
+  std::vector<std::pair<ColumnId, double>> out;
+  for (const scenario::Check& c : scenario.checks) {
+    if (c.reduction != "max" && c.reduction != "min") continue;
+    for (const auto& bound : {c.below, c.above}) {
+      if (!bound) continue;
+      for (const std::string& column : c.columns) {
+        out.emplace_back(ColumnId::named(column), *bound);
+        if (c.absolute) out.emplace_back(ColumnId::named(column), -*bound);
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
 Analysis::Analysis(const scenario::Scenario& scenario, const mechanics::Trajectory& trajectory, const mechanics::Machine& machine,
                    const Asked& asked, const Progress& progress)
     : scenario_(scenario),
@@ -30,7 +50,8 @@ Analysis::Analysis(const scenario::Scenario& scenario, const mechanics::Trajecto
   proof_.unexamined = "there is no motion";
   if (!asked_.singularities) return;
   if (scenario.motion && samples() > 0) {
-    proof_ = prove_motion(machine, trajectory, scenario.motion->by_actuators() ? scenario.motion->over : mechanics::Enclosure{});
+    proof_ = prove_motion(machine, trajectory, scenario.motion->by_actuators() ? scenario.motion->over : mechanics::Enclosure{},
+                          {.decide = bounds_of_checks(scenario)});
     progress.stop_if_asked();
   }
   singular_everywhere_ = mechanics::singular_everywhere(machine, length_);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pmreport::section {
 
@@ -143,10 +144,21 @@ Evidence visibility(const std::vector<analysis::Unseen>& unseen, const Analysis&
       demands::visibility};
 }
 
+// All of the proof stands on it.
+Evidence recording(const Proved& p) {
+  constexpr double rounding = 1e-10;  // sums in another order, divisions by limb lengths, poses near the edge of the box
+  const char *claim = "What was recorded is what the plugin computes",
+             *how = "the recorded operations against placements and G of the plugin, at samples of the motion";
+  if (std::isnan(p.proof.recording))
+    return Evidence::not_examined(claim, how, p.proof.unexamined.empty() ? "no sample has a pose to compare" : p.proof.unexamined);
+  return {claim, how, p.proof.recording, rounding, ""};
+}
+
 }  // namespace
 
 document::Proof proof_of_motion(const Analysis& a, const Proved& p, const std::vector<analysis::Unseen>& unseen) {
   document::Proof out;
+  out.lines.push_back(recording(p));
   for (const Kind& kind : kinds) add_lines(out, p, kind);
   out.lines.push_back(smoothness(a));
   out.lines.push_back(visibility(unseen, a));
