@@ -94,7 +94,7 @@
 //                 std::vector<double> readings(const Coordinates<double>&, const Placement<double>&) const;
 //
 // Scalars. `place` and `jacobian` run on numbers that carry rates, partial derivatives, or several poses at a time, and once on numbers
-// that write down what is done with them (recorded.hpp): from that list the program proves what holds between samples, and scans. So they
+// that write down what is done with them (recorded.hpp): from that list the program proves what holds between samples. So they
 // do the same operations whatever the coordinates are: write T, not double, for what depends on q; no `if` on a T or on what type it is,
 // but choose(mask, a, b), smaller and larger; length(v) and unit(v) in place of Eigen's norm() and normalized(): scalar.hpp; the
 // compiler's error names them. A constant vector becomes one of T by c.cast<T>(). Loops of a fixed length are welcome, and an iteration

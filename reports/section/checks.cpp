@@ -50,7 +50,7 @@ struct Verdict {
   double bound;                       // SI
   std::string demand, broken;         // "< 400 N"; "not below 400 N"
   std::optional<Bounds> proved = {};  // the number over every instant lies within
-  std::optional<bool> decided = {};   // by that; none: it holds the bound inside, and the samples decide
+  std::optional<bool> decided = {};   // by that; none: the bound lies within, and the samples decide
 
   bool holds() const { return passed && decided.value_or(true); }
 };
@@ -105,7 +105,7 @@ Verdict judge_equality(const Analysis& a, const Proved& p, const scenario::Check
 // What the bracket says of a number, where the samples do not say it alone.
 std::string bracket_words(const Verdict& v, const std::string& unit) {
   const std::string told = "at every instant: " + bracket(*v.proved, unit);
-  return v.decided ? told : told + ", which holds the bound inside: the samples decide";
+  return v.decided ? told : told + "; the bound lies within this bracket, so the samples decide";
 }
 
 document::Check evaluate(const Analysis& a, const Proved& p, const scenario::Check& c, const std::vector<document::Value>& values) {
@@ -195,7 +195,10 @@ std::string between_samples(const Analysis& a, const ProvedClaim& c) {
 }
 
 std::string of_samples(const Analysis& a, int broken) { return fmt::format("{} of {} samples", broken, a.samples()); }
-constexpr const char* proved_words = "at every instant (proved)";
+// Where a claim is proved to hold.
+const char* proved_words(const Proved& p) {
+  return p.holds(ProvedClaim::About::assembled) ? "at every instant (proved)" : "wherever it can be assembled (proved)";
+}
 
 std::string first(const std::vector<std::string>& sentences) { return sentences.empty() ? std::string() : sentences.front(); }
 
@@ -221,7 +224,7 @@ document::Check demand_always(const Analysis& a, const Proved& p, const char* na
     c.message += where + ".";
     c.proved = true;
   } else if (claims > 0 && all_hold) {
-    c.measured = proved_words, c.proved = true;
+    c.measured = proved_words(p), c.proved = true;
   }
   return c;
 }
@@ -234,7 +237,7 @@ document::Check regularity(const Analysis& a, const Proved& p) {
   document::Check c =
       demand(demands::regularity, met, plural(met, "time"), sentences.empty() ? as_sentence(first(lost)) : sentences.front());
   if (c.passed && p.holds(ProvedClaim::About::regular))
-    c.message = "det G keeps its sign at every instant (proved); the constraints of all bodies are judged at the samples.";
+    c.message = fmt::format("det G keeps its sign {}; the constraints of all bodies are judged at the samples.", proved_words(p));
   return c;
 }
 

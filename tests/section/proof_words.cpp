@@ -108,7 +108,7 @@ TEST_CASE("several stretches of one are listed, many are counted") {
   for (int i = 2; i < 6; ++i) stretches.push_back(above(Bounds::exactly(i), Bounds::exactly(i + 0.25), 0.81 + 0.01 * i, i + 0.1));
   t.breaks(l2, stretches);
   CHECK_THAT(t.sentence(),
-             Contains("from t = 2 s to 2.25 s and 3 times more, the last from t = 5 s to 5.25 s, at most by 60 mm (860 mm at t = "
+             Contains("from t = 2 s to 2.25 s and 3 more times, the last from t = 5 s to 5.25 s, at most by 60 mm (860 mm at t = "
                       "5.1 s"));
 }
 

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-13;      // of a quantity
+constexpr double sharpened = 1e-3;      // of its usual tolerance: where a bracket has what it should tell from an extreme
 constexpr double beside_others = 0.01;  // of what its like moves: what hardly moves beside it needs no brackets of its own size
 constexpr double beside_itself = 0.01;  // of a rate: one that hardly changes needs none either
 
@@ -65,7 +66,7 @@ void ExtremeSearch::end_bounds() {
     const double moves =
         std::max({b.range(), beside_others * widest[like(q)], quantities_.all[q].order == OfMotion::value ? 0 : beside_itself * largest});
     b.tolerance = std::max(share(quantities_.all[q]) * moves, rounding * largest);
-    if (std::ranges::any_of(b.decide, [&](double x) { return b.least.has(x) || b.largest.has(x); })) b.tolerance = 0;
+    if (std::ranges::any_of(b.decide, [&](double x) { return b.least.has(x) || b.largest.has(x); })) b.tolerance *= sharpened;
   }
 }
 

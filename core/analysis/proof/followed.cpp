@@ -21,9 +21,9 @@ constexpr double first_share = 1.0 / 64, growth = 1.5;
 constexpr double exactness = 1e-9;
 
 // Makes the chain, from the beginning of the motion on.
-class Prover {
+class ChainMaker {
  public:
-  Prover(const Trajectory& trajectory, const FollowedOptions& options, FollowedChain& chain)
+  ChainMaker(const Trajectory& trajectory, const FollowedOptions& options, FollowedChain& chain)
       : trajectory_(trajectory), options_(options), chain_(chain), tools_(chain) {
     while (reached_ < trajectory.samples() && trajectory.reaches(reached_)) ++reached_;
   }
@@ -73,7 +73,7 @@ class Prover {
   int rounds_ = 0;
 };
 
-Prover::Obstacle Prover::obstacle(Krawczyk::Found found) {
+ChainMaker::Obstacle ChainMaker::obstacle(Krawczyk::Found found) {
   switch (found) {
     case Krawczyk::Found::one:
       return Obstacle::none;
@@ -85,7 +85,7 @@ Prover::Obstacle Prover::obstacle(Krawczyk::Found found) {
 }
 
 // The pose at the first sample.
-Prover::Obstacle Prover::begin() {
+ChainMaker::Obstacle ChainMaker::begin() {
   std::array<Bounded, 6> actuators;
   if (!chain_.prescribed(Bounds::exactly(begin_), actuators.data())) return Obstacle::law;
   const auto frame = tools_.frames.at(begin_, actuators.data(), trajectory_.value.row(0));
@@ -99,7 +99,7 @@ Prover::Obstacle Prover::begin() {
 }
 
 // One more span, to `next`. The pose at which the chain has arrived lies in its box, in which it is the only one.
-Prover::Obstacle Prover::link(double next) {
+ChainMaker::Obstacle ChainMaker::link(double next) {
   for (const mechanics::Break& b : trajectory_.breaks)
     if (b.of == mechanics::Break::Of::value && proved_ <= b.time + chain_.near() && b.time - chain_.near() <= next) return Obstacle::jump;
   FollowedChain::Link link{{proved_, next}, {}, {}, {}, {}};
@@ -130,7 +130,7 @@ Prover::Obstacle Prover::link(double next) {
 }
 
 // The pose at the end of a span, as sharp as it can be.
-Prover::Obstacle Prover::arrive(const MovingBox& from, double at) {
+ChainMaker::Obstacle ChainMaker::arrive(const MovingBox& from, double at) {
   const Bounds instant = Bounds::exactly(at);
   std::array<Bounded, 6> actuators;
   if (!chain_.prescribed(instant, actuators.data())) return Obstacle::law;
@@ -144,7 +144,7 @@ Prover::Obstacle Prover::arrive(const MovingBox& from, double at) {
 
 // The path's samples during `time`, or where there are none the path in the middle, are where the actuators lead, and are to lie in the
 // box.
-Prover::Obstacle Prover::find_path(const MovingFrame& frame, Bounds time, Offsets& include) {
+ChainMaker::Obstacle ChainMaker::find_path(const MovingFrame& frame, Bounds time, Offsets& include) {
   const auto look = [&](double t, const SmallVector& q) {
     std::array<Bounded, 6> actuators;
     if (!chain_.prescribed(Bounds::exactly(t), actuators.data())) return Obstacle::law;
@@ -166,13 +166,13 @@ Prover::Obstacle Prover::find_path(const MovingFrame& frame, Bounds time, Offset
 }
 
 // Beyond its last sample with a pose the path ends somewhere.
-bool Prover::goes_on(double to) const {
+bool ChainMaker::goes_on(double to) const {
   if (to <= trajectory_.time[static_cast<std::size_t>(reached_ - 1)]) return true;
   SmallVector q(trajectory_.value.cols()), rate(q.size()), acceleration(q.size());
   return trajectory_.at(to, q.data(), rate.data(), acceleration.data());
 }
 
-std::string Prover::in_words(Obstacle o) const {
+std::string ChainMaker::in_words(Obstacle o) const {
   switch (o) {
     case Obstacle::law:
       return from() + " the prescribed actuators have no bounds";
@@ -209,7 +209,7 @@ FollowedProof prove_followed(const Machine& machine, const Trajectory& trajector
   const double duration = trajectory.time.empty() ? 0 : trajectory.time.back() - first;
   const auto chain = std::make_shared<FollowedChain>(ActuatorGeometry(*geometry, machine.layout().actuator(0)), sizes, actuators,
                                                      trajectory.knots, exactness * duration);
-  Prover prover(trajectory, options, *chain);
+  ChainMaker prover(trajectory, options, *chain);
   out.reason = prover.run();
   out.spans = static_cast<int>(chain->links().size());
   if (chain->links().empty()) return out;

@@ -141,10 +141,11 @@ struct Krawczyk::Work {
     near.begin(frame, since(frame, time));
     Numbers rate;
     if (near.differentiate(within) != Found::one || !near.find_rates(prescribed.over, rate)) return false;
+    const bool smooth = near.smooth();  // of all the span, before the middle alone is looked at
     const Numbers acceleration = near.find_accelerations(prescribed.over, rate);
     Numbers value = near.coordinates();
-    if (time.low < time.high) sharpen(frame, time, prescribed, within, prescribed.steady && near.smooth(), acceleration, value, rate);
-    for (std::size_t i = 0; i < m; ++i) out[i] = {value[i].bounds(), rate[i].bounds(), near.smooth() ? acceleration[i].bounds() : Bounds{}};
+    if (time.low < time.high) sharpen(frame, time, prescribed, within, prescribed.steady && smooth, acceleration, value, rate);
+    for (std::size_t i = 0; i < m; ++i) out[i] = {value[i].bounds(), rate[i].bounds(), smooth ? acceleration[i].bounds() : Bounds{}};
     return true;
   }
 

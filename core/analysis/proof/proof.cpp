@@ -24,6 +24,11 @@ void leave_open(MotionProof& proof, Bounds time, const std::string& reason) {
   for (Claim& c : proof.claims) {
     if (c.state == Claim::State::unexamined) continue;
     c.undecided.push_back(time);
+    if (!c.broken.empty() && c.broken.back().end.high >= time.low) {  // how long it lasts, and how far it goes, is not known
+      Claim::Broken& last = c.broken.back();
+      last.end.high = time.high;
+      (last.above ? last.worst.high : last.worst.low) = last.above ? infinite : -infinite;
+    }
     if (c.state == Claim::State::holds) c.state = Claim::State::undecided;
     c.reason = reason;
   }
@@ -59,6 +64,10 @@ MotionProof prove_motion(const mechanics::Machine& machine, const mechanics::Tra
   const auto program = mechanics::motion_program(machine, &out.unexamined);
   if (!program) return out;
   out.recording = recording_deviation(machine, trajectory);
+  if (out.recording > recording_rounding) {
+    out.unexamined = "what was recorded is not what the plugin computes";
+    return out;
+  }
   const Known k = known(machine, trajectory, actuators);
   if (!k.motion) {
     out.unexamined = k.beyond;

@@ -67,7 +67,7 @@ struct MotionProof {
   double recording = std::numeric_limits<double>::quiet_NaN();  // how far what was recorded is from what the plugin computes, relative, at
                                                                 // samples; NaN: not compared
   double begin = 0, end = 0;                                    // [s]
-  int intervals = 0;                                            // of time, that the motion was cut into in the end
+  int intervals = 0;                                            // of time, that the motion was cut into until each claim was judged
   long evaluations = 0;                                         // of the geometry on an interval
   bool exhausted = false;                                       // the bound on intervals was reached, and some claims are undecided for it
   double resolution = 0;                                        // [s]: how finely begins and ends are told, at best
@@ -85,7 +85,7 @@ struct ProofOptions {
   double bracket = 1e-6;            // of the range of a coordinate or an actuator, or its rate: how near the ends of its brackets come
   double bracket_of_others = 1e-3;  // the same of joints and derived quantities
   double bracket_of_accelerations = 1e-2;  // the same of accelerations, whose own rates are not followed: theirs come near more slowly
-  long most_for_accelerations = 2000;      // evaluations: their brackets end where these do
+  long most_for_brackets = 10000, most_for_accelerations = 2000;  // evaluations: of values and rates, of accelerations; brackets end there
   // Values that brackets should tell from the extremes of their columns, as far as rounding lets them.
   std::vector<std::pair<ColumnId, double>> decide = {};
 };

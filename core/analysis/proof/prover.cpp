@@ -212,12 +212,9 @@ std::vector<Extreme> Prover::extremes() {
         many += chosen[k];
       }
       if (many == 0) break;
-      if (spent(2 * many)) {
-        exhausted_ = true;
-        break;
-      }
+      if (spent(2 * many)) break;
       const long after = spans_.evaluations() - begun + 4 * static_cast<long>(many);  // two halves each, and their middles
-      if (stage == ExtremeSearch::Stage::accelerations && after > options_.most_for_accelerations) break;
+      if (after > (stage == ExtremeSearch::Stage::accelerations ? options_.most_for_accelerations : options_.most_for_brackets)) break;
       halve(chosen);
     }
   }
@@ -261,7 +258,7 @@ void Prover::conclude_all(MotionProof& out) {
   for (std::size_t c = 0; c < claims_.size(); ++c) {
     Claim& claim = claims_[c].claim;
     for (const Mark& m : doubtful_[c])
-      if (std::ranges::any_of(unknown, [&](const Bounds& t) { return t.low <= m.time.low && m.time.high <= t.high; }))
+      if (m.broken_within || std::ranges::any_of(unknown, [&](const Bounds& t) { return t.low <= m.time.low && m.time.high <= t.high; }))
         marks_[c].push_back(m);
     if (claim.about == Claim::About::regular) {
       out.meetings = meetings_of(marks_[c]);

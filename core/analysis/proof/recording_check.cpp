@@ -16,12 +16,12 @@ double magnitude(std::span<const double> x) {
   return out;
 }
 
-// Relative to the largest of these numbers; NaN, and so worse than anything, where either has no value.
+// Relative to the largest of these numbers; infinite where either has no value.
 double difference(std::span<const double> x, std::span<const double> y) {
   double out = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double d = std::abs(x[i] - y[i]);
-    if (!(d <= out)) out = d;
+    out = std::max(out, std::isnan(d) ? std::numeric_limits<double>::infinity() : d);
   }
   const double size = magnitude(y);
   return size > 0 ? out / size : out;

@@ -9,8 +9,7 @@ namespace {
 
 using program::Bounds, program::Interval;
 
-[[gnu::noinline]] void sharpen_all(Bounds time, double middle, std::span<const Bounds> at_middle, std::span<const Bounds> rate,
-                                   std::span<Bounds> value) {
+void sharpen_all(Bounds time, double middle, std::span<const Bounds> at_middle, std::span<const Bounds> rate, std::span<Bounds> value) {
   const Interval way = Interval(time) - Interval(middle);
   for (std::size_t i = 0; i < value.size(); ++i) {
     if (!rate[i].bounded() || !at_middle[i].bounded()) continue;
@@ -19,7 +18,7 @@ using program::Bounds, program::Interval;
   }
 }
 
-[[gnu::noinline]] bool regular_all(std::span<const Bounds, 36> wrenches, std::span<const double, 36> inverse) {
+bool regular_all(std::span<const Bounds, 36> wrenches, std::span<const double, 36> inverse) {
   for (std::size_t i = 0; i < 6; ++i) {
     Interval sum(0.0);
     for (std::size_t k = 0; k < 6; ++k) {
@@ -35,13 +34,11 @@ using program::Bounds, program::Interval;
 }  // namespace
 
 void sharpen(Bounds time, double middle, std::span<const Bounds> at_middle, std::span<const Bounds> rate, std::span<Bounds> value) {
-  const program::Upward upward;
-  sharpen_all(time, middle, at_middle, rate, value);
+  program::round_upward([&] { sharpen_all(time, middle, at_middle, rate, value); });
 }
 
 bool regular(std::span<const Bounds, 36> wrenches, std::span<const double, 36> inverse) {
-  const program::Upward upward;
-  return regular_all(wrenches, inverse);
+  return program::round_upward([&] { return regular_all(wrenches, inverse); });
 }
 
 }  // namespace pmreport::analysis

@@ -29,7 +29,7 @@ std::string time_words(double t) { return format_number(t, 6) + " s"; }
 std::string some(const std::vector<std::string>& pieces) {
   if (pieces.size() <= few) return listed(pieces);
   const std::vector<std::string> first(pieces.begin(), pieces.begin() + few);
-  return fmt::format("{} and {} times more, the last {}", fmt::join(first, ", "), pieces.size() - few, pieces.back());
+  return fmt::format("{} and {} more times, the last {}", fmt::join(first, ", "), pieces.size() - few, pieces.back());
 }
 
 std::string stretch_words(const ProvedClaim::Broken& b) {
@@ -269,8 +269,11 @@ std::string holding_words(const Proved& p) {
   std::vector<std::string> names;
   for (const About about : {About::stroke, About::joint_limit, About::regular})
     if (p.holds(about)) names.push_back(kind_words(about));
-  const std::string when = fmt::format("at every instant from {} to {} (proved, {})", time_words(p.proof.begin), time_words(p.proof.end),
-                                       plural(p.proof.intervals, "interval"));
+  // The moment between what can be assembled and what cannot is not judged.
+  const std::string where =
+      p.holds(About::assembled) ? "" : " at which the mechanism can be assembled, but for the last microsecond before it cannot,";
+  const std::string when = fmt::format("at every instant{} from {} to {} (proved, {})", where, time_words(p.proof.begin),
+                                       time_words(p.proof.end), plural(p.proof.intervals, "interval"));
   if (!names.empty())
     return fmt::format("{} {} {}", listed(names), names.back() == "regularity" && names.size() == 1 ? "holds" : "hold", when);
   return p.holds(About::assembled) ? "the mechanism can be assembled " + when : "";

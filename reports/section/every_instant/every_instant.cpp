@@ -73,7 +73,7 @@ constexpr std::size_t meetings_shown = 24;
 
 // Where det G is zero, or may be; each happens within its times.
 document::Table table_of_meetings(const MotionProof& proof) {
-  document::Table table{"Where the motion meets a singular surface, or may: the times between which it is proved to happen.",
+  document::Table table{"Where the motion meets a singular surface, or may: the times outside of which it is proved not to.",
                         {"what", "from t [s]", "to t [s]"},
                         {false, true, true},
                         {}};

@@ -1,4 +1,5 @@
 // The evidence of the section "At every instant".
+#include <core/analysis/proof/recording_check.hpp>
 #include <reports/section/common/demands.hpp>
 #include <reports/section/common/motion_words.hpp>
 #include <reports/section/common/words.hpp>
@@ -28,7 +29,7 @@ struct Kind {
 
 constexpr Kind kinds[] = {
     {About::assembled, "The mechanism can be assembled", "", "",
-     "the recorded geometry of the plugin on spans of time: within each every reach is positive and every number finite", "",
+     "the recorded geometry of the plugin on spans of time: within each every reach is not negative and every number finite", "",
      demands::assembly},
     {About::stroke, "Strokes are kept", "The stroke of {} is kept", "The strokes of {} are kept",
      "actuator values on spans of time against their strokes; counted are the times that one is left", "no actuator has a stroke that ends",
@@ -37,9 +38,8 @@ constexpr Kind kinds[] = {
      "joint angles on spans of time against their limits; counted are the times that one is left",
      "no joint has a range that bounds its motion", demands::limits},
     {About::regular, "det G keeps its sign, and G is finite", "", "",
-     "G on spans of time, times its inverse in the middle: no row is as far as 1 from that of the identity; counted are the times that det "
-     "G "
-     "changes its sign",
+     "G on spans of time, times its inverse in the middle: no row is as far as 1 from that of the identity; counted are the times that "
+     "det G changes its sign",
      "the architecture is singular at every pose", demands::regularity},
 };
 
@@ -146,12 +146,11 @@ Evidence visibility(const std::vector<analysis::Unseen>& unseen, const Analysis&
 
 // All of the proof stands on it.
 Evidence recording(const Proved& p) {
-  constexpr double rounding = 1e-10;  // sums in another order, divisions by limb lengths, poses near the edge of the box
   const char *claim = "What was recorded is what the plugin computes",
              *how = "the recorded operations against placements and G of the plugin, at samples of the motion";
   if (std::isnan(p.proof.recording))
     return Evidence::not_examined(claim, how, p.proof.unexamined.empty() ? "no sample has a pose to compare" : p.proof.unexamined);
-  return {claim, how, p.proof.recording, rounding, ""};
+  return {claim, how, p.proof.recording, analysis::recording_rounding, ""};
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ TEST_CASE("where a bracket holds the bound inside, the samples decide and the me
   const document::Check c = check("max(x)", "below = \"20.5 mm\"", {0, 0}, {0.0204, 0.0206});
   CHECK(c.passed);
   CHECK_FALSE(c.proved);
-  CHECK(c.message == "at every instant: 20.4 … 20.6 mm, which holds the bound inside: the samples decide");
+  CHECK(c.message == "at every instant: 20.4 … 20.6 mm; the bound lies within this bracket, so the samples decide");
 }
 
 TEST_CASE("of two bounds each is held against the bracket") {
