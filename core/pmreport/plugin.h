@@ -244,7 +244,7 @@ typedef struct pm_closed_forms {
   pm_status (*read)(const pm_instance*, const double* coordinates, const double* placement, double* out, pm_text* message);
 } pm_closed_forms;
 
-/* ---- RECORDED GEOMETRY: the same once more, as a list of operations (since 1.3, optional) --------------------------------------------- */
+/* ---- RECORDED GEOMETRY: the same once more, as a list of operations (since 1.3, optional) ------------------------------------------ */
 
 /* One operation on numbers that earlier steps gave. A mask, what a comparison gives, is a number too: one where it holds, else zero. */
 typedef int32_t pm_operation;
@@ -325,8 +325,8 @@ typedef struct pm_mechanism {
   const pm_dynamics* dynamics;
   const pm_appearance* appearance;     /* may be NULL */
   const pm_closed_forms* closed_forms; /* may be NULL; since 1.1 */
-  /* Since 1.3; may be NULL. Writes down what `place`, and `jacobian` of that placement, do with the coordinates: the same operations whatever
-     these are, so that the host can run them on other kinds of numbers. The same list at every call. */
+  /* Since 1.3; may be NULL. Writes down what `place`, and `jacobian` of that placement, do with the coordinates: the same operations
+     whatever these are, so that the host can run them on other kinds of numbers. The same list at every call. */
   pm_status (*record)(const pm_instance*, pm_recording*, pm_text* message);
 } pm_mechanism;
 
