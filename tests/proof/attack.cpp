@@ -1,13 +1,8 @@
+#include <tests/proof/at_an_instant.hpp>
 #include <tests/proof/attack.hpp>
-
-#include <core/mechanics/model/closure.hpp>
-#include <core/mechanics/model/joint_motion.hpp>
-#include <core/mechanics/model/overall_jacobian.hpp>
-#include <core/program/evaluate.hpp>
-#include <pmreport/jet.hpp>
+#include <tests/proof/oracle.hpp>
 
 #include <fmt/format.h>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -19,10 +14,7 @@ namespace pmreport::test {
 namespace {
 
 using namespace analysis;
-using Number = long double;
-using Moved = Jet<Number>;
 
-constexpr std::size_t most_told = 8;
 constexpr Number infinite = std::numeric_limits<Number>::infinity();
 
 template <class... X>
@@ -35,65 +27,6 @@ struct Watched {
   ColumnId column;
   std::size_t place;  // outputs of the program; after them the coordinates
   OfMotion order;
-};
-
-class Oracle {
- public:
-  Oracle(const mechanics::Machine& machine, const mechanics::MotionProgram& program, const Law& law)
-      : dof_(static_cast<std::size_t>(machine.dof())),
-        outputs_(program.program.outputs().size()),
-        law_(law),
-        moved_(program.program),
-        wrenches_(wrenches_of(program)),
-        sides_(wrenches_),
-        q_(3 * dof_),
-        in_(dof_),
-        out_(outputs_ + dof_) {}
-
-  // All outputs and then the coordinates, at a time.
-  const std::vector<Moved>& at(Number t) {
-    law_(t, q_.data(), q_.data() + dof_, q_.data() + 2 * dof_);
-    for (std::size_t i = 0; i < dof_; ++i) out_[outputs_ + i] = in_[i] = {q_[i], q_[dof_ + i], q_[2 * dof_ + i]};
-    moved_.run(in_, {out_.data(), outputs_});
-    return out_;
-  }
-  std::size_t coordinate(std::size_t i) const { return outputs_ + i; }
-
-  // The sign of det G, 0 where the factors leave it open, as they do where the mechanism cannot be assembled.
-  int side(Number t) {
-    law_(t, q_.data(), q_.data() + dof_, q_.data() + 2 * dof_);
-    std::array<Number, 37> g;
-    sides_.run({q_.data(), dof_}, g);
-    if (!(g[36] >= 0)) return 0;
-    Eigen::Matrix<Number, 6, 6> m;
-    for (int e = 0; e < 36; ++e) m(e / 6, e % 6) = g[static_cast<std::size_t>(e)];
-    if (!m.allFinite()) return 0;
-    for (int k = 0; k < 2; ++k) {  // rows and columns of one size
-      for (int i = 0; i < 6; ++i)
-        if (const Number size = m.row(i).norm(); size > 0) m.row(i) /= size;
-      for (int i = 0; i < 6; ++i)
-        if (const Number size = m.col(i).norm(); size > 0) m.col(i) /= size;
-    }
-    const Number det = m.fullPivLu().determinant();
-    return std::abs(det) < 1e-16L ? 0 : det > 0 ? 1 : -1;
-  }
-
- private:
-  // G, and the reach.
-  static program::Program wrenches_of(const mechanics::MotionProgram& program) {
-    std::vector<int> outputs;
-    for (int e = 0; e < 36; ++e) outputs.push_back(static_cast<int>(program.wrenches) + e);
-    outputs.push_back(0);
-    return program.program.slice(outputs);
-  }
-
-  std::size_t dof_, outputs_;
-  const Law& law_;
-  program::Evaluator<Moved> moved_;
-  program::Program wrenches_;
-  program::Evaluator<Number> sides_;
-  std::vector<Number> q_;
-  std::vector<Moved> in_, out_;
 };
 
 Number part(const Moved& x, OfMotion order) {
@@ -158,33 +91,6 @@ const Claim* claim_of(const MotionProof& proof, const Expected& e) {
   return nullptr;
 }
 
-bool within(const Bounds& time, Number t) { return time.low <= t && t <= time.high; }
-// About the ends of a stretch, where the claim may hold or not.
-bool doubtful(const Claim& claim, Number t) {
-  return std::ranges::any_of(claim.undecided, [&](const Bounds& u) { return within(u, t); }) ||
-         std::ranges::any_of(claim.broken, [&](const Claim::Broken& b) { return within(b.begin, t) || within(b.end, t); });
-}
-const Claim::Broken* certainly_broken(const Claim& claim, Number t) {
-  for (const Claim::Broken& b : claim.broken)
-    if (b.begin.high <= t && t <= b.end.low) return &b;
-  return nullptr;
-}
-
-// One claim against the value at an instant; a sentence where they differ.
-std::string against(const Claim& claim, Number t, Number value, Number tolerance) {
-  const bool above = value > claim.range.max + tolerance, below = value < claim.range.min - tolerance;
-  if (const Claim::Broken* b = certainly_broken(claim, t)) {
-    if (b->above ? !(value > claim.range.max - tolerance) : !(value < claim.range.min + tolerance))
-      return sentence("said to be broken at {} s, and is {} there", t, value);
-    if (b->above ? value > b->worst.high + tolerance : value < b->worst.low - tolerance)
-      return sentence("said to be at worst between {} and {}, and is {} at {} s", b->worst.low, b->worst.high, value, t);
-    return "";
-  }
-  if (doubtful(claim, t)) return "";
-  if (above || below || std::isnan(value)) return sentence("said to hold at {} s, and is {} there", t, value);
-  return "";
-}
-
 std::string about_states(const Claim& c, const std::vector<Meeting>& meetings) {
   const bool crossed = std::ranges::count(meetings, Meeting::What::crossing, &Meeting::what) > 0;
   const bool regular = c.about == Claim::About::regular;
@@ -243,7 +149,7 @@ class Attacker {
 
  private:
   void tell(std::string s) {
-    if (!s.empty() && told_.size() < most_told) told_.push_back(std::move(s));
+    if (!s.empty() && told_.size() < most_told_of_attacks) told_.push_back(std::move(s));
   }
   Number tolerance(OfMotion order) const {
     return order == OfMotion::value ? attack_.tolerance : order == OfMotion::rate ? attack_.of_rates : attack_.of_accelerations;
@@ -402,61 +308,6 @@ std::vector<std::string> contradictions(const mechanics::Machine& machine, const
 
 std::vector<std::string> contradictions(const mechanics::Machine& machine, const MotionProof& proof, const Law& law, const Attack& attack) {
   return contradictions(machine, mechanics::motion_program(machine).value(), proof, law, attack);
-}
-
-std::vector<std::string> contradictions_by_plugin(const mechanics::Machine& machine, const MotionProof& proof, const Law& law, int instants,
-                                                  unsigned seed) {
-  constexpr double tolerance = 1e-9;  // of the plugin's doubles, and of angles near zero, where a cosine tells half of the digits
-  std::vector<std::string> out;
-  if (!proof.unexamined.empty()) return out;
-  const Topology& topology = machine.topology();
-  const mechanics::Closure closure(machine);
-  const std::size_t dof = static_cast<std::size_t>(machine.dof());
-  std::vector<Number> q(3 * dof);
-  int side = 0;
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> anywhere(proof.begin, proof.end);
-  const auto against_bracket = [&](const ColumnId& column, double x, double t) {
-    const Extreme* e = proof.extreme(column);
-    if (e != nullptr && (x < e->least.low - tolerance || x > e->largest.high + tolerance))
-      out.push_back(sentence("{} is {} at {} s by the plugin", column.name(), x, t));
-  };
-  for (int k = 0; k < instants && out.size() < most_told; ++k) {
-    const double t = anywhere(random);
-    law(t, q.data(), q.data() + dof, q.data() + 2 * dof);
-    std::vector<double> coordinates(q.begin(), q.begin() + static_cast<std::ptrdiff_t>(dof));
-    const mechanics::Pose pose = machine.pose(coordinates);
-    const Claim& assembled = proof.claims.front();
-    if (pose.status != PM_OK) {
-      if (!doubtful(assembled, t) && certainly_broken(assembled, t) == nullptr)
-        out.push_back(sentence("the plugin has no pose at {} s", t));
-      continue;
-    }
-    if (certainly_broken(assembled, t) != nullptr) out.push_back(sentence("the plugin has a pose at {} s", t));
-    if (doubtful(assembled, t)) continue;
-    const auto bodies = mechanics::bodies_at_rest(machine, pose);
-    for (const Claim& c : proof.claims) {
-      if (c.state == Claim::State::unexamined) continue;
-      const auto i = static_cast<std::size_t>(c.index);
-      double x = 0;
-      if (c.about == Claim::About::stroke)
-        x = pose.numbers[machine.layout().actuator(c.index)], against_bracket(column_of(topology.actuators[i]), x, t);
-      else if (c.about == Claim::About::joint_limit)
-        x = closure.motion(bodies, c.index)[static_cast<std::size_t>(c.limit)],
-        against_bracket(joint_column(topology.joints[i], static_cast<std::size_t>(c.limit)), x, t);
-      else
-        continue;
-      if (const std::string s = against(c, t, x, tolerance); !s.empty()) out.push_back("by the plugin a claim is " + s);
-    }
-    // Proved regular throughout, the plugin's own G has the sign that it has in the beginning.
-    const Claim& regular = proof.claims.back();
-    if (regular.about == Claim::About::regular && regular.state == Claim::State::holds && assembled.state == Claim::State::holds) {
-      const int now = mechanics::side_of(machine.jacobian(pose).matrix, 1);
-      if (side == 0) side = now;
-      if (now * side < 0) out.push_back(sentence("det G by the plugin changes its sign before {} s", t));
-    }
-  }
-  return out;
 }
 
 std::string joined(const std::vector<std::string>& sentences) {

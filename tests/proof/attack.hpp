@@ -22,7 +22,8 @@ struct Attack {
   long double tolerance = 1e-15L, of_rates = 1e-14L, of_accelerations = 1e-12L;
 };
 
-// What contradicts the proof, a sentence each, a few at most; empty: nothing was found.
+constexpr std::size_t most_told_of_attacks = 8;
+// What contradicts the proof, a sentence each, that many at most; empty: nothing was found.
 std::vector<std::string> contradictions(const mechanics::Machine& machine, const mechanics::MotionProgram& program,
                                         const analysis::MotionProof& proof, const Law& law, const Attack& attack = {});
 std::vector<std::string> contradictions(const mechanics::Machine& machine, const analysis::MotionProof& proof, const Law& law,

@@ -100,11 +100,7 @@ std::vector<OpenClaim> claims_of(const mechanics::Machine& machine, const mechan
 }
 
 Judgement judge(const OpenClaim& c, const SpanFacts& span, const Instants& instants) {
-  if (c.claim.about == Claim::About::regular) {
-    if (!span.placed) return Judgement::open;
-    if (span.regular) return Judgement::holds;
-    return Judgement::open;
-  }
+  if (c.claim.about == Claim::About::regular) return span.placed && span.regular ? Judgement::holds : Judgement::open;
   const auto q = static_cast<std::size_t>(c.quantity);
   const Bounds &value = span.value[q], &at_middle = instants.middle.value[q];
   const Range& range = c.claim.range;
