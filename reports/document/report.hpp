@@ -97,6 +97,12 @@ struct Data {                                        // data/<name>.csv
   std::vector<std::vector<std::string>> words = {};  // columns of words, as long, which stand before those of numbers
 };
 
+struct File {         // anything else to go with the report, as it is
+  std::string name;   // below the report's folder: "data/workspace.stl"
+  std::string title;  // what it is, a phrase
+  std::string bytes;
+};
+
 struct Check {
   std::string name;             // "max(abs(actuator_force)) < 400 N"
   std::string measured, limit;  // "312.4 N", "400 N"
@@ -126,6 +132,7 @@ struct Report {
   std::vector<Paragraph> summary;  // what a hurried reader must know, worst first
   std::vector<Section> sections;
   std::vector<Data> data;
+  std::vector<File> files;
   std::vector<Check> checks;
   std::vector<Value> values;
   std::optional<EveryInstant> every_instant;  // of a motion

@@ -29,13 +29,22 @@ struct Line {  // horizontal reference line: a limit
   std::string label;  // "stroke ends", drawn small at its right end; may be empty
 };
 
-// Values over a grid as colours: a diverging scale, symmetric about zero, with a bar beside the frame. The panel's axes are those of the
-// grid; its curves are drawn over the map, a style of 0 solid, others dashed.
+// Values over a grid as colours. The panel's axes are those of the grid; its curves are drawn over the map, a style of 0 solid, others
+// dashed. Diverging: symmetric about zero, with a bar beside the frame; sequential: from the least value to the most, likewise; classes: a
+// value is the number of a class, from 0, each with a colour of its own and its name in the legend.
 struct ColourMap {
   std::vector<double> x, y;    // of the columns and of the rows, evenly spaced and increasing, at least two
   std::vector<double> values;  // row by row; NaN: out of reach, grey and hatched
   Axis bar;                    // what the colours count
-  std::string zero;            // "det G = 0": the contour of zero in the legend; empty: no contour
+  std::string zero = {};       // "det G = 0": the contour of zero in the legend; empty: no contour
+  enum class Scale { diverging, sequential, classes } scale = Scale::diverging;
+  std::vector<std::string> classes = {};
+};
+
+// A line over a panel that carries its name on itself, such as a limit on a slice: x and y with gaps as of a series.
+struct NamedLine {
+  std::string label;  // empty: it carries none
+  std::vector<double> x, y;
 };
 
 struct Panel {
@@ -45,6 +54,8 @@ struct Panel {
   std::vector<Band> bands;
   std::vector<Line> lines;
   std::optional<ColourMap> map = {};
+  std::vector<NamedLine> named = {};
+  bool equal = false;  // x and y to one scale: a drawing, not a diagram
 };
 
 enum class Width { column, full };  // 85 mm and 174 mm, the two widths of a journal

@@ -46,8 +46,15 @@ struct Bounds {
   void include(const Eigen::Vector3d& p, double margin = 0);
 };
 
+struct Surface {  // seen from both sides
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::array<int, 3>> triangles;
+  Color color;  // translucent where its alpha is below 1
+};
+
 struct Scene {
   std::vector<Solid> solids;
+  std::vector<Surface> surfaces;
   std::vector<Polyline> lines;
   std::vector<Label> labels;
   double ground = 0;  // height of the ground plane, with grid and shadow [m]

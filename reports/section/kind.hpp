@@ -17,6 +17,7 @@ struct Result {
   document::Section section;
   std::vector<document::Value> values = {};  // its quantities: `section` the kind, `name` without it
   std::vector<document::Data> data = {};     // data files, besides the one of its columns
+  std::vector<document::File> files = {};    // files of other formats
   std::vector<document::Check> checks = {};  // gates of its own
 };
 

@@ -121,6 +121,7 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
     Result result = kind_of(asked).make({a, stage, progress, r.values, number}, asked);
     for (document::Value& v : result.values) r.values.push_back(std::move(v));
     for (document::Data& d : result.data) r.data.push_back(std::move(d));
+    for (document::File& f : result.files) r.files.push_back(std::move(f));
     for (document::Check& c : result.checks) gates.push_back(std::move(c));
     if (!asked.title.empty()) result.section.title = asked.title;
     return std::move(result.section);

@@ -1,0 +1,47 @@
+// Where a mechanism reaches: a workspace section's answers, numbers alone.
+#pragma once
+
+#include <core/analysis/progress.hpp>
+#include <core/analysis/workspace/request.hpp>
+#include <core/scan/components.hpp>
+#include <core/scan/field.hpp>
+#include <core/scan/grid.hpp>
+#include <core/scan/monte_carlo.hpp>
+#include <core/scan/proved_volume.hpp>
+#include <core/scan/safe_poses.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pmreport::analysis {
+
+struct Workspace {
+  WorkspaceRequest request;  // as it was carried out: counts and poses filled in
+  mechanics::PoseMargins margins;
+  scan::PoseSet set;
+  scan::Scan scan;
+  std::string unit;             // of the volume: "m^3", "m^2", "m^3*rad^3", "rad"
+  bool home_inside = false;     // the pose at home, all coordinates, keeps every limit
+  std::string home_refused_by;  // name of the first margin that it does not keep
+  std::optional<scan::GridCounts> grid;
+  std::optional<scan::Components> components;  // of the grid's points
+  std::optional<scan::Sheet> sheet;
+  std::optional<scan::ProvedVolume> proof;
+  std::vector<scan::ProvedVolume> proof_at_least;  // of each of request.at_least, where there are orientations
+  std::optional<scan::Estimate> estimate;
+  std::optional<scan::SafeBox> safe_box;
+  std::optional<scan::SafeBall> safe_ball;
+  std::string not_proved;  // why a proof that was asked for was not made; empty: it was, or was not asked for
+};
+
+// Cannot be done: too many poses, too much memory. The sentence says what would be needed, and what to do.
+struct ScanTooLarge : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Throws ScanTooLarge, scan::CheckpointError, mechanics::MechanismError, and what progress.stop_if_asked throws. `checkpoint`: where a long
+// scan keeps what is done; empty: nowhere.
+Workspace workspace(const mechanics::Machine& machine, const WorkspaceRequest& request, const Progress& progress);
+
+}  // namespace pmreport::analysis

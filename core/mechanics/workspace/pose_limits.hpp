@@ -1,0 +1,91 @@
+// What a pose of a mechanism must keep: reach, strokes, joints, and what a designer asks besides, as one program of margins.
+#pragma once
+
+#include <core/mechanics/model/machine.hpp>
+#include <core/program/program.hpp>
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace pmreport::mechanics {
+
+constexpr double open_end = std::numeric_limits<double>::infinity();
+
+// A number of the pose between two ends, both included.
+struct PoseLimit {
+  enum class Group { reach, strokes, joints, angles, values, distances, pressure, condition };
+  Group group = Group::reach;
+  std::string name;   // "rho1", "A1_deflection", "base cone 1"; of the reach "reach"
+  std::string title;  // "length of leg 1"
+  std::string unit;   // SI
+  double min = -open_end, max = open_end;
+};
+const char* name_of(PoseLimit::Group group);  // "strokes"
+
+// A direction that angles are measured against: of a body, or fixed to the base.
+struct Direction {
+  int body = 0;                                     // in whose axes it is given; 0: the base
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // need not be unit
+};
+
+// What is asked besides the limits of the mechanism. Limbs count from 1, as bodies name them; a limb's line runs from the joint that is
+// lowest on its axis at home to the highest.
+struct AskedAngle {  // between a limb's line and a direction
+  std::vector<int> limbs;
+  Direction against;
+};
+struct AskedValue {  // an actuator, a joint's motion, a derived quantity or a reading; or a group: "derived", "readings"
+  std::string name;
+};
+struct AskedDistance {  // between limbs as finite segments, of `limbs` among each other, or to those `with` them; limbs that share a joint,
+                        // or start in one point at home, are no pair. With `surfaces` the limbs' radii are taken off.
+  std::vector<int> limbs, with;
+  bool surfaces = false;
+};
+struct AskedPressure {};   // pressure angle of every actuator [rad]
+struct AskedCondition {};  // condition number of G, moments over the characteristic length
+struct AskedLimit {
+  std::string name;  // for the tables; empty: its own
+  std::variant<AskedAngle, AskedValue, AskedDistance, AskedPressure, AskedCondition> what;
+  double min = -open_end, max = open_end;
+};
+
+// One end of a limit: "rho1<" is broken below the least, "rho1>" above the most.
+struct PoseMargin {
+  int limit = 0;
+  bool upper = false;
+  std::string name;     // "rho1<"; of the reach "reach"
+  double rounding = 0;  // of the margin: nearer to zero, rounding decides
+};
+
+struct PoseMargins {
+  // Inputs: the coordinates. Output k: margin k, zero on the limit and negative beyond, of any scale: of a length its square may be held
+  // against the limit's, of an angle its cosine. In the order in which reasons are told: reach; actuators; joints as declared; then what
+  // was asked, in its order; of a limit the lower end first.
+  program::Program program;
+  std::vector<PoseLimit> limits;    // the reach first
+  std::vector<PoseMargin> margins;  // those of the program, then the late ones
+  // What no program gives: readings, pressure angles, condition numbers. As scan::LateMargins.
+  std::size_t late = 0;
+  std::function<void(std::size_t count, const double* poses, double* out)> judge_late;
+  std::vector<std::string> left_out;  // joints whose motion the geometry leaves open: not judged
+};
+
+struct LimitChoice {
+  bool strokes = true, joints = true;
+  std::vector<AskedLimit> asked;
+};
+// A sentence that completes "..." when a limit names what the mechanism does not have; nothing when all is well.
+std::optional<std::string> refusal(const Machine& machine, const AskedLimit& asked);
+// Nothing where the mechanism has no program; `why` then gets a sentence.
+std::optional<PoseMargins> pose_margins(const Machine& machine, const LimitChoice& choice, std::string* why = nullptr);
+
+// det G of the overall Jacobian, as a program of the coordinates.
+program::Program determinant_program(const Machine& machine);
+
+}  // namespace pmreport::mechanics

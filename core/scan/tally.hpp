@@ -1,0 +1,18 @@
+// What is counted of poses that were judged.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace pmreport::scan {
+
+struct Tally {
+  std::uint64_t poses = 0, accepted = 0;
+  std::uint64_t on_a_limit = 0;  // accepted, or refused, by a margin that rounding decides
+  std::vector<std::uint64_t> first,
+      any;  // one a margin: poses that it refuses first; that it refuses, whatever else does. Without reasons: empty
+
+  Tally& operator+=(const Tally& more);
+};
+
+}  // namespace pmreport::scan
