@@ -35,7 +35,7 @@ TEST_CASE("a step of x is as long as one of y, whatever the proportions, and not
   std::mt19937_64 random(99);
   std::uniform_real_distribution<double> decade(-2, 4);
   const Context cr = measuring_context();
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < 30; ++round) {
     Figure f = samples::figure({});
     f.width = round % 2 == 0 ? Width::full : Width::column;
     f.columns = 1 + round % 3;
