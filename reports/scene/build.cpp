@@ -66,6 +66,11 @@ void include(Bounds& bounds, const Machine& machine, const Pose& pose) {
   bounds.include(machine.origin(pose, machine.topology().platform), 0.27 * sizes.overall);  // its frame and arrows
 }
 
+void include(Bounds& bounds, const Surface& surface) {
+  for (const Vector3d& p : surface.points)
+    if (p.allFinite()) bounds.include(p);
+}
+
 std::array<Eigen::Vector3d, 8> corners(const Solid& box) {
   std::array<Eigen::Vector3d, 8> out;
   for (std::size_t i = 0; i < out.size(); ++i)
