@@ -95,6 +95,7 @@ Scene build(const Machine& machine, const Pose& pose, const Extras& extras) {
     add_frame(scene, machine.origin(pose, t.platform), machine.rotation(pose, t.platform), platform_names, 0.22 * sizes.overall);
   }
   add_extras(scene, machine, pose, sizes, extras);
+  scene.surfaces = extras.surfaces;
   if (!extras.labels) scene.labels.clear();
   if (extras.labels)
     for (std::size_t k = 0; k < t.joints.size(); ++k)

@@ -93,6 +93,7 @@ struct Extras {
   Eigen::Vector3d force{0, 0, 0}, moment{0, 0, 0};  // applied to the platform, drawn as an arrow, a curved arrow
   bool labels = true, frames = true;
   std::vector<Screw> screws;
+  std::vector<Surface> surfaces;
 };
 
 // The scene of one pose: base, platform, bodies by their shapes or joints, joints by kind (ball, hinge with its axis, cross), labels by
