@@ -119,7 +119,7 @@ std::vector<scenario::Key> study_keys() {
   return {
       keys::of<O>("name", Shape::text(), "of this section among several: its files are then called `study-NAME`", "none", read_name),
       keys::late(keys::of<O>("measure", Shape::list(1, most_numbers, Shape::text()),
-                             "numbers of the scenario's sections `workspace`, `workspace.volume`, `workspace.low_x`, `workspace.high_x`, "
+                             "numbers of the scenario's sections `workspace`, `workspace.volume`, `workspace.x_low`, `workspace.x_high`, "
                              "and of home, `home.condition`, `home.smallest_singular_value`",
                              "`[\"workspace.volume\"]`", read_measure)),
       keys::late(keys::of<O>("sweep", Shape::values_of("parameters", {}),

@@ -44,8 +44,8 @@ std::vector<Offered> offered_by(const std::vector<scenario::Section>& sections, 
     add(What::volume, quantity_name(*w, "volume"), w->unit, (space ? "volume " : "size ") + of, w, 0);
     for (std::size_t i = 0; i < axes; ++i) {
       const Coordinate& c = topology.coordinates[static_cast<std::size_t>(w->request.scan[i].coordinate)];
-      add(What::low, quantity_name(*w, "low_" + c.name), c.unit, fmt::format("least {} {}", c.name, of), w, i);
-      add(What::high, quantity_name(*w, "high_" + c.name), c.unit, fmt::format("largest {} {}", c.name, of), w, i);
+      add(What::low, quantity_name(*w, c.name + "_low"), c.unit, fmt::format("least {} {}", c.name, of), w, i);
+      add(What::high, quantity_name(*w, c.name + "_high"), c.unit, fmt::format("most {} {}", c.name, of), w, i);
     }
   }
   add(What::condition, "home.condition", "", "condition number at home", nullptr, 0);

@@ -132,6 +132,13 @@ std::string headline(const Told& t) {
   return out + ". There is no proof that there is no better one.";
 }
 
+// Of the two searches; numbers that are not told apart have none.
+double goal_gap(const Told& t) {
+  const Bracketed &x = t.found.trials[*t.found.first.best].judged.numbers[t.goal()],
+                  &y = t.found.trials[*t.found.second.best].judged.numbers[t.goal()];
+  return relative_gap(x, y);
+}
+
 std::vector<Evidence> evidence(const Told& t) {
   std::vector<Evidence> out;
   const bool kept = t.problem.usable(t.found.confirmed);
@@ -144,7 +151,7 @@ std::vector<Evidence> evidence(const Told& t) {
   const std::string claim = "a second search, from elsewhere and by another method, finds the same",
                     how = fmt::format("{}, and {}", t.found.first.how, t.found.second.how);
   if (t.found.agreement == Agreement::agree || t.found.agreement == Agreement::flat)
-    out.push_back({claim, how + ": values, relative", t.found.apart, std::max(analysis::same_value, t.found.apart), ""});
+    out.push_back({claim, how + ": gap between the brackets of the goal, of its value", goal_gap(t), analysis::same_value, ""});
   else
     out.push_back(Evidence::without_value(Verdict::not_decided, claim, how, agreement_words(t)));
   return out;

@@ -47,6 +47,11 @@ document::Data data_of_trials(const StudyOptions& o, const analysis::DesignProbl
   return out;
 }
 
+double relative_gap(const Bracketed& x, const Bracketed& y) {
+  const double gap = std::max({0.0, x.low - y.high, y.low - x.high}), size = std::max(std::abs(x.value), std::abs(y.value));
+  return gap > 0 ? gap / size : 0.0;
+}
+
 double disagreement(const StudyOptions& o, const Judged& seen, const Judged& closer) {
   double out = 0;
   for (std::size_t n = 0; n < o.numbers.size(); ++n) {
@@ -54,8 +59,7 @@ double disagreement(const StudyOptions& o, const Judged& seen, const Judged& clo
     const Bracketed &x = seen.numbers[n], &y = closer.numbers[n];
     if (!x.known() && !y.known()) continue;  // an end of an empty set, both times
     if (!x.known() || !y.known()) return std::numeric_limits<double>::quiet_NaN();
-    const double gap = std::max({0.0, x.low - y.high, y.low - x.high}), size = std::max(std::abs(x.value), std::abs(y.value));
-    if (gap > 0) out = std::max(out, gap / size);
+    out = std::max(out, relative_gap(x, y));
   }
   return out;
 }

@@ -13,6 +13,8 @@ document::Data data_of_trials(const StudyOptions& o, const analysis::DesignProbl
 
 std::vector<const Judged*> judged_of(const std::vector<analysis::Trial>& trials);
 
+// The gap between two brackets, of the larger value; 0 where they meet.
+double relative_gap(const analysis::Bracketed& x, const analysis::Bracketed& y);
 // How far the numbers of a closer look lie from those that a search saw, in the worst of them: the gap between the brackets, of the value.
 // 0 where they meet; NaN where one has no numbers.
 double disagreement(const StudyOptions& o, const Judged& seen, const Judged& closer);
