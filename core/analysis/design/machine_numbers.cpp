@@ -21,6 +21,26 @@ std::uint64_t points_with(const scan::GridCounts& g, std::uint64_t need) {
       std::ranges::count_if(g.accepted_at, [&](std::uint32_t n) { return static_cast<std::uint64_t>(n) >= need; }));
 }
 
+// Accepted points of a grid with a neighbour that is refused, or none: where the border of the set passes. A pose is a cell, and of those
+// at the border another grid may have all or nothing.
+std::uint64_t rim_of(const Workspace& w, std::uint64_t need) {
+  const std::vector<std::uint32_t>& at = w.grid->accepted_at;
+  const auto in = [&](std::size_t k) { return static_cast<std::uint64_t>(at[k]) >= need; };
+  std::uint64_t out = 0;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    if (!in(k)) continue;
+    std::size_t stride = 1;
+    bool rim = false;
+    for (std::size_t a = w.scan.points.size(); a-- > 0 && !rim;) {
+      const std::size_t count = w.scan.points[a].count, here = k / stride % count;
+      rim = here == 0 || here + 1 == count || !in(k - stride) || !in(k + stride);
+      stride *= count;
+    }
+    out += rim ? 1 : 0;
+  }
+  return out;
+}
+
 // By the method that the section names first; a proof that was not made has the next one in its place.
 class Answers {
  public:
@@ -37,7 +57,8 @@ class Answers {
 
   Bracketed volume() const {
     if (method_ == ScanMethod::proof) return bracketed(w_.proof->volume);
-    if (method_ == ScanMethod::grid) return Bracketed::plain(static_cast<double>(accepted()) * w_.scan.cell());
+    if (method_ == ScanMethod::grid)
+      return Bracketed::counted(static_cast<double>(accepted()) * w_.scan.cell(), static_cast<double>(rim_of(w_, need())) * w_.scan.cell());
     const scan::Estimate& e = *w_.estimate;
     return {e.share * w_.scan.range(), e.low * w_.scan.range(), e.high * w_.scan.range()};
   }
@@ -51,7 +72,7 @@ class Answers {
     }
     if (method_ != ScanMethod::grid) return {};
     const std::vector<double>& ends = high ? w_.grid->high : w_.grid->low;
-    return axis < ends.size() ? Bracketed::plain(ends[axis]) : Bracketed{};
+    return axis < ends.size() ? Bracketed::counted(ends[axis], std::abs(w_.scan.points[axis].step())) : Bracketed{};
   }
 
   bool empty() const {
@@ -73,7 +94,8 @@ class Answers {
   }
 
  private:
-  std::uint64_t accepted() const { return points_with(*w_.grid, w_.request.at_least.empty() ? 1 : w_.request.at_least.front()); }
+  std::uint64_t need() const { return w_.request.at_least.empty() ? 1 : w_.request.at_least.front(); }
+  std::uint64_t accepted() const { return points_with(*w_.grid, need()); }
 
   const Workspace& w_;
   ScanMethod method_ = ScanMethod::proof;

@@ -35,9 +35,10 @@ struct MachineStudy {
   Eigen::VectorXd home;
 };
 
-// The volume with the bracket of a proof or the 95 % interval of random poses; a grid's as it was counted. Notes tell a set that goes up to
-// the end of a scanned range, and so may go on beyond it, and a proof that ended early. A machine that cannot be judged gives a reason, not
-// numbers. Throws what progress.stop_if_asked throws, and a mechanics::MechanismError where the plugin is at fault.
+// The volume with the bracket of a proof or the 95 % interval of random poses; a grid's as it was counted, with its resolution. Notes tell
+// a set that goes up to the end of a scanned range, and so may go on beyond it, and a proof that ended early. A machine that cannot be
+// judged gives a reason, not numbers. Throws what progress.stop_if_asked throws, and a mechanics::MechanismError where the plugin is at
+// fault.
 Judged judge(const mechanics::Machine& machine, const MachineStudy& study, const Progress& progress);
 
 // The same study by tenth the gap of proofs, half the step of grids, and four times the random poses, others than before.

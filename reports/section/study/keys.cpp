@@ -122,7 +122,7 @@ std::vector<scenario::Key> study_keys() {
                              "numbers of the scenario's sections `workspace`, `workspace.volume`, `workspace.x_low`, `workspace.x_high`, "
                              "and of home, `home.condition`, `home.smallest_singular_value`",
                              "`[\"workspace.volume\"]`", read_measure)),
-      keys::late(keys::of<O>("sweep", Shape::values_of("parameters", {}),
+      keys::late(keys::of<O>("sweep", Shape::values_of("parameters"),
                              "one or two with from, to and how many, `{base_radius = [\"250 mm\", \"400 mm\", 7]}`", "",
                              asked(O::Asked::sweep, read_sweep))),
       keys::late(keys::of<O>("variants", Shape::list(1, most_machines, variant), "machines laid beside this one", "",

@@ -3,7 +3,6 @@
 
 #include <reports/section/common/words.hpp>
 #include <reports/section/study/trial_data.hpp>
-#include <reports/section/study/words.hpp>
 
 #include <core/text/text.hpp>
 
@@ -139,15 +138,28 @@ double goal_gap(const Told& t) {
   return relative_gap(x, y);
 }
 
+// What is broken by less than a grid leaves open is not decided.
+Evidence constraints_kept(const Told& t, const std::string& claim, const std::string& how) {
+  const Judged& closer = t.found.confirmed;
+  for (const DesignConstraint& c : t.o.constraints)
+    if (const double slack = c.slack(closer); slack < 0 && -slack <= t.best().judged.numbers[c.measure].resolution)
+      return Evidence::without_value(Verdict::not_decided, claim, how,
+                                     fmt::format("{} is broken by less than a step of the grid may make", words_of(t.o, c)));
+  return {claim, how, violation(t.o.constraints, closer), 0, ""};
+}
+
 std::vector<Evidence> evidence(const Told& t) {
   std::vector<Evidence> out;
-  const bool kept = t.problem.usable(t.found.confirmed);
-  const std::string look = closer_look(t.o);
-  if (!t.o.constraints.empty())
-    out.push_back({"the best variant keeps every constraint at a closer look", "largest violation, of its bound; by " + look,
-                   kept ? violation(t.o.constraints, t.found.confirmed) : std::nan(""), 0, "", remark(t.found.confirmed)});
-  out.push_back({"the numbers of the best variant are those that the search saw", "gap between the two brackets, of the value; by " + look,
-                 disagreement(t.o, t.best().judged, t.found.confirmed), allowed_disagreement(t.o), "", remark(t.found.confirmed)});
+  const std::string look = closer_look(t.o), kept = "the best variant keeps every constraint at a closer look",
+                    same = "the numbers of the best variant are those that the search saw";
+  const Judged& closer = t.found.confirmed;
+  if (!t.problem.usable(closer)) {
+    out.push_back(Evidence::not_examined(same, "by " + look, "the closer look gives no numbers: " + remark(closer)));
+  } else {
+    if (!t.o.constraints.empty()) out.push_back(constraints_kept(t, kept, "largest violation, of its bound; by " + look));
+    out.push_back({same, "gap between the two brackets, of the value; by " + look, disagreement(t.o, t.best().judged, closer),
+                   allowed_disagreement(t.o), ""});
+  }
   const std::string claim = "a second search, from elsewhere and by another method, finds the same",
                     how = fmt::format("{}, and {}", t.found.first.how, t.found.second.how);
   if (t.found.agreement == Agreement::agree || t.found.agreement == Agreement::flat)

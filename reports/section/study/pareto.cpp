@@ -3,7 +3,6 @@
 
 #include <reports/section/common/words.hpp>
 #include <reports/section/study/trial_data.hpp>
-#include <reports/section/study/words.hpp>
 
 #include <core/text/text.hpp>
 

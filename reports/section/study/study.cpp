@@ -1,10 +1,12 @@
 // Section `study`: machines with other parameters, or other machines, beside one another.
 #include <reports/section/study/study.hpp>
 
+#include <reports/section/common/words.hpp>
 #include <reports/section/study/words.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -38,6 +40,19 @@ analysis::DesignProblem problem_of(const Analysis& a, const StudyOptions& o, con
   out.judge = judge_of(a, o, study, progress);
   out.confirm = judge_of(a, o, analysis::finer(study), progress);
   return out;
+}
+
+std::string method_words(const Analysis& a, const StudyOptions& o) {
+  std::vector<std::string> out;
+  if (!o.study.requests.empty())
+    out.push_back(
+        "Of every variant the workspace is found as the section \"workspace\" has it; coordinates that are held at home are held at the "
+        "home of each.");
+  const bool of_home = std::ranges::any_of(o.numbers, [](const StudiedNumber& n) { return !n.what.of_workspace(); });
+  if (of_home)
+    out.push_back(fmt::format("At home moments are taken over {}, the characteristic length of this scenario's machine, for all.",
+                              show(a.length(), "m")));
+  return fmt::format("{}", fmt::join(out, " "));
 }
 
 Judged judge_own(const analysis::Judge& judge, const StudyOptions& o, std::size_t variants, const Progress& progress) {
@@ -75,6 +90,9 @@ Result study_section(const Analysis& a, const StudyOptions& o, int number, const
     case Asked::nothing:
       break;
   }
+  if (std::string how = method_words(a, o); !how.empty())
+    out.section.blocks.insert(out.section.blocks.begin() + (out.section.blocks.empty() ? 0 : 1),
+                              document::Paragraph{document::Paragraph::Tone::plain, std::move(how)});
   const std::string file = o.name.empty() ? id : "study-" + o.name;
   for (document::Data& d : out.data) d.name = file;
   for (document::Block& b : out.section.blocks)

@@ -26,6 +26,9 @@ analysis::Judge judge_of(const Analysis& a, const StudyOptions& o, const analysi
 // The problem of a search.
 analysis::DesignProblem problem_of(const Analysis& a, const StudyOptions& o, const Progress& progress);
 
+// How variants are judged, in words: by which request, at which home, over which length.
+std::string method_words(const Analysis& a, const StudyOptions& o);
+
 // Judges the scenario's own machine, and tells how long so many variants will take. The time is told there alone: no report depends on it.
 analysis::Judged judge_own(const analysis::Judge& judge, const StudyOptions& o, std::size_t variants, const Progress& progress);
 

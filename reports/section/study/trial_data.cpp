@@ -48,7 +48,8 @@ document::Data data_of_trials(const StudyOptions& o, const analysis::DesignProbl
 }
 
 double relative_gap(const Bracketed& x, const Bracketed& y) {
-  const double gap = std::max({0.0, x.low - y.high, y.low - x.high}), size = std::max(std::abs(x.value), std::abs(y.value));
+  const double gap = std::max({0.0, x.low - y.high, y.low - x.high}) - x.resolution - y.resolution,
+               size = std::max(std::abs(x.value), std::abs(y.value));
   return gap > 0 ? gap / size : 0.0;
 }
 
@@ -64,10 +65,7 @@ double disagreement(const StudyOptions& o, const Judged& seen, const Judged& clo
   return out;
 }
 
-double allowed_disagreement(const StudyOptions& o) {
-  const bool counted = any_by(o, ScanMethod::grid) || any_by(o, ScanMethod::monte_carlo);
-  return counted ? analysis::same_value : 0.0;
-}
+double allowed_disagreement(const StudyOptions& o) { return any_by(o, ScanMethod::monte_carlo) ? analysis::same_value : 0.0; }
 
 std::string closer_look(const StudyOptions& o) {
   std::string out;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <reports/section/study/study.hpp>
+#include <reports/section/study/words.hpp>
 
 #include <string>
 #include <vector>
@@ -13,13 +14,13 @@ document::Data data_of_trials(const StudyOptions& o, const analysis::DesignProbl
 
 std::vector<const Judged*> judged_of(const std::vector<analysis::Trial>& trials);
 
-// The gap between two brackets, of the larger value; 0 where they meet.
+// The gap between two brackets, of the larger value, less what a grid leaves open; 0 where they meet.
 double relative_gap(const analysis::Bracketed& x, const analysis::Bracketed& y);
-// How far the numbers of a closer look lie from those that a search saw, in the worst of them: the gap between the brackets, of the value.
-// 0 where they meet; NaN where one has no numbers.
+// How far the numbers of a closer look lie from those that a search saw, in the worst of them. NaN where one has no number, or the closer
+// look has none at all.
 double disagreement(const StudyOptions& o, const Judged& seen, const Judged& closer);
-// What it may be. Two proved brackets of one number meet; of counted numbers a difference below that by which optima are told apart does
-// not change which variant is the best.
+// What it may be: nothing, for two proved brackets of one number meet, and so do two counts within what their grids leave open. Of random
+// poses one interval in twenty misses: below the difference by which optima are told apart that does not matter.
 double allowed_disagreement(const StudyOptions& o);
 // "tenth the gap of the proof": what the closer look is.
 std::string closer_look(const StudyOptions& o);
