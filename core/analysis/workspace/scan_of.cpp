@@ -19,6 +19,12 @@ std::string power(const std::string& unit, int n) { return n == 1 ? unit : unit 
 
 }  // namespace
 
+std::string unit_of_volume(int metres, int radians) {
+  std::string out = metres > 0 ? power("m", metres) : "";
+  if (radians > 0) out += (out.empty() ? "" : "*") + power("rad", radians);
+  return out;
+}
+
 WorkspaceRequest completed(WorkspaceRequest request, const mechanics::Machine& machine) {
   if (request.at.size() == 0) request.at = machine.home();
   std::vector<ScanMethod> once;
@@ -80,14 +86,19 @@ std::string unit_of(const scan::Scan& scan, const mechanics::Machine& machine) {
   int metres = 0, radians = 0;
   for (const scan::Axis& a : scan.points)
     (machine.topology().coordinates[static_cast<std::size_t>(a.input)].sense() == Sense::linear ? metres : radians) += 1;
-  std::string out = metres > 0 ? power("m", metres) : "";
-  if (radians > 0) out += (out.empty() ? "" : "*") + power("rad", radians);
-  return out;
+  return unit_of_volume(metres, radians);
+}
+
+std::vector<double> home_of(const Workspace& w, const mechanics::Machine& machine) {
+  const Eigen::VectorXd home = machine.home();
+  std::vector<double> q = w.scan.at;
+  for (const scan::Axis& a : w.scan.points) q[static_cast<std::size_t>(a.input)] = home(a.input);
+  for (const int i : w.scan.turned) q[static_cast<std::size_t>(i)] = home(i);
+  return q;
 }
 
 void judge_home(Workspace& w, const mechanics::Machine& machine) {
-  const Eigen::VectorXd home = machine.home();
-  const std::vector<double> q(home.data(), home.data() + home.size());
+  const std::vector<double> q = home_of(w, machine);
   std::vector<double> margins(w.set.size());
   const std::size_t recorded = w.set.margins.outputs().size();
   program::Evaluator<double> evaluator(w.set.margins);

@@ -12,7 +12,7 @@ namespace pmreport::analysis {
 
 namespace {
 
-constexpr double most_poses = 2e12;                        // that a grid is begun with
+constexpr double most_poses = 1e11;                        // that a grid is begun with
 constexpr std::size_t most_memory = std::size_t{2} << 30;  // [bytes] of what a grid keeps
 constexpr double told_before = 60;                         // [s] a scan that takes longer is told with its estimate
 
@@ -116,16 +116,15 @@ void prove(Workspace& w, const Progress& progress) {
 
 void find_safe_poses(Workspace& w, const mechanics::Machine& machine, const Progress& progress) {
   if (!w.home_inside || w.set.late.size > 0) return;
-  const Eigen::VectorXd home = machine.home();
   scan::Scan around = w.scan;
   around.orientations.clear(), around.turned.clear();
-  around.at.assign(home.data(), home.data() + home.size());
+  around.at = home_of(w, machine);
   for (const ScanRange& r : w.request.orientations) around.points.push_back({r.coordinate, r.from, r.to, r.count});
   std::erase_if(around.points, [](const scan::Axis& a) { return a.from == a.to; });
   std::vector<double> centre;
   scan::SafeOptions options;
   for (const scan::Axis& a : around.points) {
-    const double at = home(a.input), low = std::min(a.from, a.to), high = std::max(a.from, a.to);
+    const double at = around.at[static_cast<std::size_t>(a.input)], low = std::min(a.from, a.to), high = std::max(a.from, a.to);
     if (!(low < at && at < high)) {
       w.safe_box = scan::SafeBox{}, w.safe_box->why = "home lies outside the scanned range";
       return;

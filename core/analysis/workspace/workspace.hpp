@@ -22,7 +22,7 @@ struct Workspace {
   scan::PoseSet set;
   scan::Scan scan;
   std::string unit;             // of the volume: "m^3", "m^2", "m^3*rad^3", "rad"
-  bool home_inside = false;     // the pose at home, all coordinates, keeps every limit
+  bool home_inside = false;     // home, but for what `at` holds elsewhere, keeps every limit
   std::string home_refused_by;  // name of the first margin that it does not keep
   std::optional<scan::GridCounts> grid;
   std::optional<scan::Components> components;  // of the grid's points

@@ -170,6 +170,11 @@ std::vector<std::pair<LimbLine, LimbLine>> pairs_of(const Machine& machine, cons
   return out;
 }
 
+std::string unit_of_value(const Machine& machine, const std::string& name) {
+  const std::vector<Found> found = values_named(machine, nullptr, name);
+  return found.empty() ? std::string() : found.front().unit;
+}
+
 std::optional<std::string> refusal(const Machine& machine, const AskedLimit& asked) {
   std::string why;
   const auto limbs = [&](const std::vector<int>& numbers) -> std::optional<std::string> {

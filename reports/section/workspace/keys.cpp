@@ -34,8 +34,9 @@ std::optional<ScanRange> read_range(const Entry& e, int coordinate, const Readin
   const bool list = v.kind == Value::Kind::array && (v.items.size() == 2 || v.items.size() == 3);
   if (!list) {
     if (v.kind != Value::Kind::refused)
-      diagnostics.add(v.place, fmt::format("expected a range of {}, seen {}", e.key, name_of(v)),
-                      fmt::format("write {0} = [\"...\", \"...\"], from and to, or {0} = [\"...\", \"...\", 61], of a grid how many values", e.key));
+      diagnostics.add(
+          v.place, fmt::format("expected a range of {}, seen {}", e.key, name_of(v)),
+          fmt::format("write {0} = [\"...\", \"...\"], from and to, or {0} = [\"...\", \"...\", 61], of a grid how many values", e.key));
     return std::nullopt;
   }
   const Dimension dimension = parse_unit(r.mechanism.topology->coordinates[static_cast<std::size_t>(coordinate)].unit)->dimension;
@@ -191,35 +192,45 @@ std::vector<scenario::Key> workspace_keys() {
   return {
       keys::of<O>("name", Shape::text(), "of this section among several: checks then write `workspace.NAME.volume`", "none", read_name),
       keys::of<O>("method", Shape::either({Shape::word(methods), Shape::list(1, 3, Shape::word(methods))}),
-                  "a proved bracket, counts of a grid, or random poses; of several each is evidence for the others", "`\"proof\"`", read_methods),
-      keys::required(keys::of<O>("scan", Shape::values_of("coordinates"),
-                                 "ranges of the coordinates that are scanned, of a grid with how many values, `{x = [\"-300 mm\", \"300 "
-                                 "mm\", 61]}`",
-                                 "",
-                                 [](const Entry& e, const Reading& r, O& options) { options.request.scan = read_ranges(e, "section.scan", r); }),
-                     "scan = { x = [\"-300 mm\", \"300 mm\", 61], y = [\"-300 mm\", \"300 mm\", 61] }"),
+                  "a proved bracket, counts of a grid, or random poses; of several each is evidence for the others", "`\"proof\"`",
+                  read_methods),
+      keys::required(
+          keys::of<O>("scan", Shape::values_of("coordinates"),
+                      "ranges of the coordinates that are scanned, of a grid with how many values, `{x = [\"-300 mm\", \"300 "
+                      "mm\", 61]}`",
+                      "", [](const Entry& e, const Reading& r, O& options) { options.request.scan = read_ranges(e, "section.scan", r); }),
+          "scan = { x = [\"-300 mm\", \"300 mm\", 61], y = [\"-300 mm\", \"300 mm\", 61] }"),
       keys::of<O>("at", Shape::values_of("coordinates"), "what the other coordinates are held at", "home",
                   [](const Entry& e, const Reading& r, O& options) {
-                    if (r.mechanism.topology) options.request.at = read_pose(e.value, "at", r.mechanism, r.reader).value_or(Eigen::VectorXd());
+                    if (r.mechanism.topology)
+                      options.request.at = read_pose(e.value, "at", r.mechanism, r.reader).value_or(Eigen::VectorXd());
                   }),
       keys::of<O>("limits", Shape::list(0, 2, Shape::word(groups)), "groups of the mechanism's limits that count", "all", read_groups),
       keys::of<O>("limit", limit_shape(), "what a pose must keep besides", "none",
                   [](const Entry& e, const Reading& r, O& options) { options.request.limits.asked = read_asked_limits(e, r); }),
-      keys::of<O>("orientations", Shape::either({Shape::values_of("coordinates"), Shape::list(1, most_orientations, Shape::values_of("coordinates"))}),
-                  "tried at every point: ranges with how many values, in every combination, or a list of poses", "the one of `at`", read_orientations),
+      keys::of<O>("orientations",
+                  Shape::either({Shape::values_of("coordinates"), Shape::list(1, most_orientations, Shape::values_of("coordinates"))}),
+                  "tried at every point: ranges with how many values, in every combination, or a list of poses", "the one of `at`",
+                  read_orientations),
       keys::of<O>("at_least", Shape::either({Shape::whole(1, most_orientations), Shape::list(1, 100, Shape::whole(1, most_orientations))}),
                   "how many of them must be within at a point, one answer each", "1, and all", read_at_least),
-      flag("one_sheet", &analysis::WorkspaceRequest::one_sheet, "whether a grid tells what is connected with home without a change of sign of det G"),
+      flag("one_sheet", &analysis::WorkspaceRequest::one_sheet,
+           "whether a grid tells what is connected with home without a change of sign of det G"),
       flag("reasons", &analysis::WorkspaceRequest::reasons, "whether it is counted which limits refuse a pose"),
       keys::of<O>("gap", Shape::quantity(Dimension{}), "of a proof: relative width of the bracket at which it is enough", "`0.001`",
                   [](const Entry& e, const Reading& r, O& options) { read_number_above_zero(e, r, {}, options.request.gap); }),
       keys::of<O>("time_limit", Shape::quantity(Dimension{0, 0, 1, 0}), "of a proof: when it gives up", "never",
-                  [](const Entry& e, const Reading& r, O& options) { read_number_above_zero(e, r, {0, 0, 1, 0}, options.request.seconds); }),
+                  [](const Entry& e, const Reading& r, O& options) {
+                    read_number_above_zero(e, r, {0, 0, 1, 0}, options.request.seconds);
+                  }),
       whole("poses", &analysis::WorkspaceRequest::poses, 1e12, "how many random poses"),
       whole("seed", &analysis::WorkspaceRequest::seed, 1e15, "of the random poses"),
-      flag("safe", &analysis::WorkspaceRequest::safe, "whether the largest box and ball around home are proved, as limits for a controller"),
-      keys::of<O>("proportions", Shape::values_of("coordinates"), "of the safe box, as half widths", "those of the scanned ranges", read_proportions),
-      keys::of<O>("slices", Shape::list(1, most_slices, Shape::values_of("coordinates")), "values at which slices are drawn", "through home", read_slices),
+      flag("safe", &analysis::WorkspaceRequest::safe,
+           "whether the largest box and ball around home are proved, as limits for a controller"),
+      keys::of<O>("proportions", Shape::values_of("coordinates"), "of the safe box, as half widths", "those of the scanned ranges",
+                  read_proportions),
+      keys::of<O>("slices", Shape::list(1, most_slices, Shape::values_of("coordinates")), "values at which slices are drawn",
+                  "through home", read_slices),
       keys::of<O>("map", Shape::word(maps), "an index that is drawn over the slices", "none",
                   [](const Entry& e, const Reading& r, O& options) {
                     if (const auto word = r.reader.word(e.value, maps, "the maps")) options.map = maps[*word];
@@ -248,19 +259,24 @@ void complete_workspace(scenario::TableReader& table, const Reading& r, scenario
       request.at(range.coordinate) = range.from;
     }
   std::erase_if(request.scan, [](const ScanRange& range) { return range.from == range.to; });
-  if (request.scan.empty() && scan != nullptr && scan->value.kind == Value::Kind::table && !scan->value.entries.empty() && diagnostics.empty())
+  if (request.scan.empty() && scan != nullptr && scan->value.kind == Value::Kind::table && !scan->value.entries.empty() &&
+      diagnostics.empty())
     diagnostics.add(scan->value.place, "expected a range of at least one coordinate, and all are held at one value");
 
-  const auto scanned = [&](int i) { return std::ranges::any_of(request.scan, [&](const ScanRange& range) { return range.coordinate == i; }); };
+  const auto scanned = [&](int i) {
+    return std::ranges::any_of(request.scan, [&](const ScanRange& range) { return range.coordinate == i; });
+  };
   const auto turned = [&](int i) { return std::ranges::find(request.turned, i) != request.turned.end(); };
   if (at != nullptr)
     for (const Entry& e : at->value.entries)
       if (const int i = scenario::index_of(*r.mechanism.topology, e.key); i >= 0 && (scanned(i) || turned(i)))
-        diagnostics.add(e.place, fmt::format("{} is {} and cannot be held at a value", e.key, scanned(i) ? "scanned" : "set by the orientations"),
+        diagnostics.add(e.place,
+                        fmt::format("{} is {} and cannot be held at a value", e.key, scanned(i) ? "scanned" : "set by the orientations"),
                         "remove it from at");
   for (const int i : request.turned)
     if (scanned(i))
-      diagnostics.add(orientations->place, fmt::format("{} is scanned, and cannot be set by the orientations too", name(i)), "keep one of the two");
+      diagnostics.add(orientations->place, fmt::format("{} is scanned, and cannot be set by the orientations too", name(i)),
+                      "keep one of the two");
   const bool grid = std::ranges::find(request.methods, ScanMethod::grid) != request.methods.end();
   for (const ScanRange& range : request.scan)
     if (grid && range.count == 0)
@@ -279,7 +295,8 @@ void complete_workspace(scenario::TableReader& table, const Reading& r, scenario
   if (at_least != nullptr && orientations == nullptr)
     diagnostics.add(at_least->place, "at_least counts orientations, and the section has none", "add orientations, or remove it");
   if (request.one_sheet && !request.orientation_list.empty())
-    diagnostics.add(orientations->place, "one_sheet needs neighbours, and a list of orientations has none", "give ranges with how many values");
+    diagnostics.add(orientations->place, "one_sheet needs neighbours, and a list of orientations has none",
+                    "give ranges with how many values");
   if (!request.proportions.empty()) {
     std::vector<double> own;
     for (const ScanRange& range : request.scan) own.push_back(request.proportions[static_cast<std::size_t>(range.coordinate)]);
@@ -291,6 +308,7 @@ void complete_workspace(scenario::TableReader& table, const Reading& r, scenario
   int metres = 0, radians = 0;
   for (const ScanRange& range : request.scan) {
     options.scanned.push_back(name(range.coordinate));
+    options.units.push_back(coordinates[static_cast<std::size_t>(range.coordinate)].unit);
     (coordinates[static_cast<std::size_t>(range.coordinate)].sense() == Sense::linear ? metres : radians) += 1;
   }
   options.unit = analysis::unit_of_volume(metres, radians);

@@ -92,7 +92,8 @@ std::optional<mechanics::AskedLimit> read_limit(const Value& content, const Read
     reader.diagnostics().add(content.place, fmt::format("expected one of angle, value, distance and index, seen {}", given), forms);
     return std::nullopt;
   }
-  for (const auto& [key, needs, needed] : {std::tuple{against, angle, "angle"}, {to, distance, "distance"}, {surfaces, distance, "distance"}})
+  for (const auto& [key, needs, needed] :
+       {std::tuple{against, angle, "angle"}, {to, distance, "distance"}, {surfaces, distance, "distance"}})
     if (key != nullptr && needs == nullptr)
       reader.diagnostics().add(key->place, fmt::format("{} belongs to a limit with {}", key->key, needed), "remove it");
   if (angle != nullptr) {
@@ -128,7 +129,8 @@ std::optional<mechanics::AskedLimit> read_limit(const Value& content, const Read
       return std::nullopt;
     }
   if (min == nullptr && max == nullptr) {
-    reader.diagnostics().add(content.place, "expected a least value, a most, or both, and there is neither", "write min = ... or max = ...");
+    reader.diagnostics().add(content.place, "expected a least value, a most, or both, and there is neither",
+                             "write min = ... or max = ...");
     return std::nullopt;
   }
   const auto dimension = dimension_of(out, r);
@@ -162,10 +164,12 @@ Shape limit_shape() {
       {keys::within("name", Shape::text(), "for tables and figures"),
        keys::within("angle", limbs, "numbers of limbs, whose lines are held against a direction"),
        keys::within("against",
-                    Shape::either({Shape::word(directions), Shape::table({keys::within("body", Shape::text(), "in whose axes", "the base"),
-                                                                          keys::within("axis", Shape::list(3, 3, Shape::quantity(Dimension{})), "")})}),
+                    Shape::either({Shape::word(directions),
+                                   Shape::table({keys::within("body", Shape::text(), "in whose axes", "the base"),
+                                                 keys::within("axis", Shape::list(3, 3, Shape::quantity(Dimension{})), "")})}),
                     "that direction"),
-       keys::within("value", Shape::text(), "an actuator, a joint's motion, a derived quantity or a reading, or `\"derived\"`, `\"reading\"`"),
+       keys::within("value", Shape::text(),
+                    "an actuator, a joint's motion, a derived quantity or a reading, or `\"derived\"`, `\"reading\"`"),
        keys::within("distance", limbs, "limbs, as segments, from each other, but those that share a joint"),
        keys::within("to", limbs, "from these instead"), keys::within("surfaces", Shape::boolean(), "less their radii", "`false`"),
        keys::within("index", Shape::word(indices), "of every actuator its pressure angle, or the condition number of G"),

@@ -17,8 +17,8 @@ struct WorkspaceOptions : scenario::Options {
   std::string map;                      // an index shown over the slices: "condition" or "determinant"; empty: none
   bool pictures = true, exports = true;
 
-  std::vector<std::string> scanned;  // names of the coordinates, for quantities
-  std::string unit;                  // of the volume
+  std::vector<std::string> scanned, units;  // names of the scanned coordinates, and their units, for quantities
+  std::string unit;                         // of the volume
 };
 
 // "workspace.volume", or "workspace.NAME.volume".
