@@ -16,7 +16,9 @@ Result workspace_section(const Context& context, const WorkspaceOptions& options
   document::Section& s = out.section = {id, "workspace", "Workspace", {}};
   Workspace w;
   try {
-    w = analysis::workspace(machine, options.request, context.progress);
+    analysis::WorkspaceRequest request = options.request;
+    request.name = id;
+    w = analysis::workspace(machine, request, context.progress);
   } catch (const analysis::NoProgram& e) {
     s.blocks.push_back(Paragraph{Paragraph::Tone::warning, fmt::format("The workspace was not examined: {}.", e.what())});
     s.blocks.push_back(
