@@ -46,6 +46,9 @@ int run(const Options& options) {
     case program::Command::report:
       listen_to_signals();
       return program::report(options, stop_asked);
+    case program::Command::limits:
+      listen_to_signals();
+      return program::limits(options, stop_asked);
     case program::Command::list:
       return program::list(options);
     case program::Command::describe:

@@ -1,5 +1,7 @@
 #include <core/analysis/column_names.hpp>
 
+#include <core/mechanics/model/joint_words.hpp>
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -106,8 +108,7 @@ ColumnId column_of(OfPlatform vector, std::size_t axis) { return ColumnId::named
 ColumnId column_of(OfMachine what) { return ColumnId::named(name_of(what)); }
 
 ColumnId joint_column(const Joint& joint, std::size_t limit) {
-  if (joint.kind == JointKind::spherical) return ColumnId::named(joint.name + deflection);
-  return ColumnId::named(joint.name + angle + (joint.limits.size() > 1 ? std::to_string(limit + 1) : ""));
+  return ColumnId::named(mechanics::motion_name(joint, limit));
 }
 
 ColumnId reaction_column(const Joint& joint, int c, bool base_axes) {

@@ -11,9 +11,9 @@ Recorder::Recorder(const Program& start) : start_(start), steps_(start.steps().s
   }
 }
 
-Recorded Recorder::recorded(int step) const {
-  const pm_step& s = steps_[static_cast<std::size_t>(step)];
-  return s.operation == PM_OP_CONSTANT ? Recorded(s.constant) : Recorded(list_, step);
+Recorded Recorder::step(int number) const {
+  const pm_step& s = steps_[static_cast<std::size_t>(number)];
+  return s.operation == PM_OP_CONSTANT ? Recorded(s.constant) : Recorded(list_, number);
 }
 
 Program Recorder::finish(std::span<const Recorded> outputs) {

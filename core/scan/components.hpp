@@ -18,9 +18,10 @@ Components components(const std::vector<std::size_t>& counts, const std::vector<
 struct Sheet {
   std::uint64_t poses = 0;      // connected with the start by single grid steps over accepted poses with the sign of the start
   std::uint64_t connected = 0;  // without regard to the sign
-  int sign = 0;                 // at the start; 0: the start is not accepted
+  int sign = 0;                 // at the start; 0: the start is not accepted, or has none
 };
-// Axes of a step: point axes, then, where the orientations are a product of values, `turned_counts` of them. `start`: number of the pose.
+// Needs counts with poses that were kept. Axes of a step: point axes, then, where the orientations are a product of values, `turned_counts`
+// of them. `start`: number of the pose.
 Sheet sheet_of(const std::vector<std::size_t>& counts, const std::vector<std::size_t>& turned_counts, const GridCounts& kept,
                std::uint64_t start);
 

@@ -24,8 +24,9 @@ struct GridCounts {
   std::vector<std::uint32_t> accepted_at;    // of each point, the last axis fastest: how many orientations
   std::vector<double> low, high, centroid;   // of each point axis; empty when none is accepted
   std::uint64_t positive = 0, negative = 0;  // accepted poses by the sign
-  // One bit a pose, point by point, orientations fastest, the lowest bit of a word first; empty unless kept.
-  std::vector<std::uint64_t> accepted_poses, positive_poses;
+  // One bit a pose, point by point, orientations fastest, the lowest bit of a word first; empty unless kept, and without a sign. A pose
+  // whose sign is zero or no number is neither positive nor negative.
+  std::vector<std::uint64_t> accepted_poses, positive_poses, negative_poses;
 };
 
 // Same counts for any number of threads, with and without pruning, and after a resumption. Throws CheckpointError; std::length_error: more

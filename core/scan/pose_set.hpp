@@ -41,10 +41,10 @@ struct Axis {
 
 // Points, and at each point the same orientations. All coordinates that are not scanned have the values of `at`.
 struct Scan {
-  std::vector<double> at;                         // one an input
-  std::vector<Axis> points;                       // the last moves fastest
-  std::vector<int> turned = {};                   // inputs that tell an orientation
-  std::vector<std::vector<double>> orientations;  // values of `turned`, one list each; none: one orientation, that of `at`
+  std::vector<double> at;                              // one an input
+  std::vector<Axis> points;                            // the last moves fastest
+  std::vector<int> turned = {};                        // inputs that tell an orientation
+  std::vector<std::vector<double>> orientations = {};  // values of `turned`, one list each; none: one orientation, that of `at`
 
   std::size_t point_count() const {
     std::size_t n = 1;

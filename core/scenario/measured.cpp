@@ -117,20 +117,28 @@ std::vector<Quantity> plain_quantities(const SectionKind& kind) {
   return kind.quantities(options.get());
 }
 
+// Those of all sections of the kind, as their keys make them; of one whose kind is not known the plain ones. Nothing: there is no such
+// section.
+std::optional<std::vector<Quantity>> quantities_of(const SectionKind& kind, const std::vector<Section>& sections) {
+  std::optional<std::vector<Quantity>> out;
+  for (const Section& s : sections) {
+    if (s.kind != &kind && s.kind != nullptr) continue;
+    if (!out) out.emplace();
+    for (Quantity& q : s.kind == nullptr ? plain_quantities(kind) : kind.quantities(s.options.get())) out->push_back(std::move(q));
+  }
+  return out;
+}
+
 // Finds a quantity that a section names, "mobility.redundant".
 void resolve_quantity(const std::string& that, const Measurable& measurable, Measured& measured) {
-  const auto& sections = measurable.sections;
   const std::string prefix = that.substr(0, that.find('.'));
   std::vector<std::string> all, known, own;  // own: of the kind that `prefix` names
   for (const SectionKind* kind : with_quantities(measurable.kinds)) {
     all.push_back(kind->name);
-    const auto section =
-        std::find_if(sections.begin(), sections.end(), [&](const Section& s) { return s.kind == kind || s.kind == nullptr; });
-    const bool missing = section == sections.end();
+    const std::optional<std::vector<Quantity>> asked = quantities_of(*kind, measurable.sections);
+    const bool missing = !asked;
     // Without its section nobody knows what its keys would have said: all that it could ever have is found, the plain ones are told.
-    const std::vector<Quantity> quantities = missing                    ? kind->quantities(nullptr)
-                                             : section->kind == nullptr ? plain_quantities(*kind)
-                                                                        : kind->quantities(section->options.get());
+    const std::vector<Quantity> quantities = missing ? kind->quantities(nullptr) : *asked;
     if (kind->name == prefix)
       for (const Quantity& q : missing ? plain_quantities(*kind) : quantities) own.push_back(q.name);
     for (const Quantity& q : quantities) {

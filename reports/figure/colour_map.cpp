@@ -5,35 +5,25 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <numbers>
-#include <optional>
 
-#include <reports/figure/layout/layout.hpp>
+#include <reports/figure/colour_scale.hpp>
 #include <reports/figure/surface.hpp>
-#include <reports/figure/text.hpp>
 
 namespace pmreport::figure {
 namespace {
-
-constexpr double thickness = 9;         // [pt] of the bar
-constexpr double pixels_per_point = 3;  // 216 a inch: steps of colour look straight in print
-constexpr double inside_quantile = 0.98;
-constexpr Colour out_of_reach{0.80, 0.80, 0.80}, hatch{0.66, 0.66, 0.66};
-constexpr int hatch_pitch = 12, hatch_line = 2;  // [px]
-
-double level_of(double value, double limit) {
-  const double share = std::clamp(value / limit, -1.0, 1.0), step = 2.0 / colour_levels;
-  return std::clamp((std::floor(share / step) + 0.5) * step, -1 + step / 2, 1 - step / 2);
-}
 
 std::uint32_t pixel(const Colour& c) {
   const auto byte = [](double x) { return static_cast<std::uint32_t>(std::lround(255 * x)); };
   return 0xff000000U | byte(c.red) << 16 | byte(c.green) << 8 | byte(c.blue);
 }
 
-// The value at (u, v), columns and rows counted from the first as fractions: bilinear among the finite corners of its cell, nothing where
-// the nearest corner has none.
-double value_at(const ColourMap& map, double u, double v) {
+// The values at the corners of a cell, and how much each counts at a place in it.
+struct Cell {
+  std::array<double, 4> value{}, weight{};
+};
+
+// At (u, v): columns and rows counted from the first as fractions.
+Cell cell_at(const ColourMap& map, double u, double v) {
   const std::size_t columns = map.x.size(), rows = map.y.size();
   const auto corner = [](double at, std::size_t count) {
     return std::min(static_cast<std::size_t>(std::max(at, 0.0)), count > 1 ? count - 2 : 0);
@@ -43,51 +33,60 @@ double value_at(const ColourMap& map, double u, double v) {
   const auto at = [&](std::size_t column, std::size_t row) {
     return map.values[std::min(row, rows - 1) * columns + std::min(column, columns - 1)];
   };
-  if (!std::isfinite(at(a < 0.5 ? i : i + 1, b < 0.5 ? j : j + 1))) return std::nan("");
+  return {{at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)}, {(1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b}};
+}
+
+// Bilinear among the finite corners, nothing where the nearest corner has no value.
+double value_at(const Cell& cell) {
+  const auto nearest = std::max_element(cell.weight.begin(), cell.weight.end()) - cell.weight.begin();
+  if (!std::isfinite(cell.value[static_cast<std::size_t>(nearest)])) return std::nan("");
   double sum = 0, weight = 0;
-  for (const auto& [x, y, w] :
-       {std::array{0.0, 0.0, (1 - a) * (1 - b)}, {1.0, 0.0, a * (1 - b)}, {0.0, 1.0, (1 - a) * b}, {1.0, 1.0, a * b}}) {
-    const double value = at(i + static_cast<std::size_t>(x), j + static_cast<std::size_t>(y));
-    if (std::isfinite(value)) sum += w * value, weight += w;
-  }
+  for (std::size_t k = 0; k < 4; ++k)
+    if (std::isfinite(cell.value[k])) sum += cell.weight[k] * cell.value[k], weight += cell.weight[k];
   return sum / weight;
+}
+
+// The class that counts most: borders between classes run straight through cells, not along their edges.
+int class_at(const Cell& cell) {
+  const auto number = [](double value) { return value >= 0 ? static_cast<int>(std::min(value, 1e6)) : -1; };  // NaN: -1
+  int best = -1;
+  double most = -1;
+  for (std::size_t k = 0; k < 4; ++k) {
+    double weight = 0;
+    for (std::size_t n = 0; n < 4; ++n)
+      if (number(cell.value[n]) == number(cell.value[k])) weight += cell.weight[n];
+    if (weight > most) most = weight, best = number(cell.value[k]);
+  }
+  return best;
+}
+
+template <class ColourAt>  // Colour(row, column, rows, columns)
+void paint(cairo_t* cr, const Box& box, ColourAt&& colour_at) {
+  const int columns = std::max(1, static_cast<int>(box.width * pixels_per_point)),
+            rows = std::max(1, static_cast<int>(box.height * pixels_per_point));
+  const Surface image{cairo_image_surface_create(CAIRO_FORMAT_RGB24, columns, rows)};
+  unsigned char* data = cairo_image_surface_get_data(image.get());
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(image.get()));
+  for (int r = 0; r < rows; ++r) {
+    auto* line = reinterpret_cast<std::uint32_t*>(data + static_cast<std::size_t>(r) * stride);
+    for (int c = 0; c < columns; ++c) line[c] = pixel(colour_at(r, c, rows, columns));
+  }
+  cairo_surface_mark_dirty(image.get());
+  cairo_save(cr);
+  cairo_translate(cr, box.x, box.y);
+  cairo_scale(cr, box.width / columns, box.height / rows);
+  cairo_set_source_surface(cr, image.get(), 0, 0);
+  cairo_pattern_set_filter(cairo_get_source(cr), CAIRO_FILTER_NEAREST);
+  cairo_paint(cr);
+  cairo_restore(cr);
 }
 
 }  // namespace
 
-Colour diverging(double value) {
-  static constexpr std::array<Colour, 11> anchors{{{0.020, 0.188, 0.380},
-                                                   {0.129, 0.400, 0.675},
-                                                   {0.263, 0.576, 0.765},
-                                                   {0.573, 0.773, 0.871},
-                                                   {0.820, 0.898, 0.941},
-                                                   {0.969, 0.969, 0.969},
-                                                   {0.992, 0.859, 0.780},
-                                                   {0.957, 0.647, 0.510},
-                                                   {0.839, 0.376, 0.302},
-                                                   {0.698, 0.094, 0.169},
-                                                   {0.404, 0.000, 0.122}}};
-  const double at = (std::clamp(value, -1.0, 1.0) + 1) / 2 * (anchors.size() - 1);
-  const std::size_t i = std::min(static_cast<std::size_t>(at), anchors.size() - 2);
-  const double share = at - static_cast<double>(i);
-  const auto mix = [&](double Colour::*part) { return anchors[i].*part * (1 - share) + anchors[i + 1].*part * share; };
-  return {mix(&Colour::red), mix(&Colour::green), mix(&Colour::blue)};
-}
-
-double colour_limit(const ColourMap& map) {
-  std::vector<double> all;
-  for (const double v : map.values)
-    if (std::isfinite(v)) all.push_back(std::min(std::abs(v), largest));
-  if (all.empty()) return 1;
-  const auto nth = all.begin() + static_cast<std::ptrdiff_t>(inside_quantile * static_cast<double>(all.size() - 1));
-  std::nth_element(all.begin(), nth, all.end());
-  return *nth > 0 ? *nth : 1;
-}
-
 // Marching squares. A cell whose corners alternate in sign has two pieces; the sign of its middle tells which corners they cut off.
 std::vector<Stroke> zero_contour(const ColourMap& map, const Frame& frame) {
   const std::size_t columns = map.x.size(), rows = map.y.size();
-  const double limit = colour_limit(map);
+  const double limit = colour_range(map).high;
   std::vector<Stroke> strokes;
   for (std::size_t j = 0; j + 1 < rows; ++j)
     for (std::size_t i = 0; i + 1 < columns; ++i) {
@@ -141,29 +140,21 @@ std::vector<Stroke> zero_contour(const ColourMap& map, const Frame& frame) {
   return joined;
 }
 
-void draw_map(cairo_t* cr, const ColourMap& map, double width, double height) {
-  const int columns = std::max(1, static_cast<int>(width * pixels_per_point)),
-            rows = std::max(1, static_cast<int>(height * pixels_per_point));
-  const Surface image{cairo_image_surface_create(CAIRO_FORMAT_RGB24, columns, rows)};
-  unsigned char* data = cairo_image_surface_get_data(image.get());
-  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(image.get()));
-  const double limit = colour_limit(map);
-  for (int r = 0; r < rows; ++r) {
-    auto* line = reinterpret_cast<std::uint32_t*>(data + static_cast<std::size_t>(r) * stride);
-    for (int c = 0; c < columns; ++c) {
-      const double u = (c + 0.5) / columns * static_cast<double>(map.x.size() - 1),
-                   v = (1 - (r + 0.5) / rows) * static_cast<double>(map.y.size() - 1);
-      const double value = value_at(map, u, v);
-      line[c] = pixel(std::isfinite(value) ? diverging(level_of(value, limit)) : (r + c) % hatch_pitch < hatch_line ? hatch : out_of_reach);
-    }
-  }
-  cairo_surface_mark_dirty(image.get());
-  cairo_save(cr);
-  cairo_scale(cr, width / columns, height / rows);
-  cairo_set_source_surface(cr, image.get(), 0, 0);
-  cairo_pattern_set_filter(cairo_get_source(cr), CAIRO_FILTER_NEAREST);
-  cairo_paint(cr);
-  cairo_restore(cr);
+void draw_map(cairo_t* cr, const ColourMap& map, const Frame& frame) {
+  const Point first = to_page(frame, map.x.front(), map.y.back()), last = to_page(frame, map.x.back(), map.y.front());
+  const Interval range = colour_range(map);
+  const bool classes = map.scale == ColourMap::Scale::classes;
+  paint(cr, {first.x, first.y, last.x - first.x, last.y - first.y}, [&](int row, int column, int rows, int columns) {
+    const Cell cell = cell_at(map, (column + 0.5) / columns * static_cast<double>(map.x.size() - 1),
+                              (1 - (row + 0.5) / rows) * static_cast<double>(map.y.size() - 1));
+    if (classes) return fill_of(class_at(cell), row, column);
+    const double value = value_at(cell);
+    return std::isfinite(value) ? colour_of(map, range, value) : fill_of(-1, row, column);
+  });
+}
+
+void draw_fill(cairo_t* cr, int number, const Box& box) {
+  paint(cr, box, [&](int row, int column, int, int) { return fill_of(number, row, column); });
 }
 
 void draw_contour(cairo_t* cr, const std::vector<Stroke>& contour) {
@@ -177,50 +168,6 @@ void draw_contour(cairo_t* cr, const std::vector<Stroke>& contour) {
   cairo_set_line_width(cr, contour_width);
   cairo_stroke(cr);
   cairo_set_line_cap(cr, CAIRO_LINE_CAP_BUTT);
-}
-
-ColourBar lay_out_bar(cairo_t* cr, const ColourMap& map, double height) {
-  const double limit = colour_limit(map);
-  ColourBar bar{make_scale(-limit, limit, std::max(3, static_cast<int>(height / 24)))};
-  for (const Tick& tick : bar.scale.major) bar.widest = std::max(bar.widest, Text(cr, tick.label, {.size = tick_size}).extents().width);
-  return bar;
-}
-
-double bar_width(cairo_t* cr, const ColourMap& map, const ColourBar& bar, double height) {
-  const std::string title = axis_title(map.bar, bar.scale);
-  const double title_height = title.empty() ? 0 : title_gap + Text(cr, title, {.size = label_size}, height).extents().height;
-  return bar_gap + thickness + tick_length + tick_gap + bar.widest + title_height;
-}
-
-void draw_bar(cairo_t* cr, const ColourMap& map, const ColourBar& bar, double left, double height) {
-  for (int k = 0; k < colour_levels; ++k) {
-    set_colour(cr, diverging(-1 + (k + 0.5) * 2.0 / colour_levels));
-    cairo_rectangle(cr, left, height * (1 - (k + 1.0) / colour_levels), thickness, height / colour_levels);
-    cairo_fill(cr);
-  }
-  set_colour(cr, ink);
-  cairo_set_line_width(cr, axis_width);
-  cairo_rectangle(cr, left, 0, thickness, height);
-  const double right = left + thickness;
-  for (const Tick& tick : bar.scale.major) {
-    const double y = height * (1 - bar.scale.position(tick.value));
-    cairo_move_to(cr, right, y);
-    cairo_line_to(cr, right + tick_length, y);
-  }
-  cairo_stroke(cr);
-  for (const Tick& tick : bar.scale.major) {
-    const Text text(cr, tick.label, {.size = tick_size});
-    const Extents size = text.extents();
-    const double y = height * (1 - bar.scale.position(tick.value));
-    text.show(right + tick_length + tick_gap + bar.widest - size.width, y - size.baseline + 0.729 * tick_size / 2);
-  }
-  const Text title(cr, axis_title(map.bar, bar.scale), {.size = label_size}, height);
-  pango_layout_set_alignment(title.layout(), PANGO_ALIGN_CENTER);
-  cairo_save(cr);
-  cairo_translate(cr, right + tick_length + tick_gap + bar.widest + title_gap, height);
-  cairo_rotate(cr, -std::numbers::pi / 2);
-  title.show(0, 0);
-  cairo_restore(cr);
 }
 
 }  // namespace pmreport::figure

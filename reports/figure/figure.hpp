@@ -39,9 +39,11 @@ struct ColourMap {
   std::string zero = {};       // "det G = 0": the contour of zero in the legend; empty: no contour
   enum class Scale { diverging, sequential, classes } scale = Scale::diverging;
   std::vector<std::string> classes = {};
+  std::string missing = "out of reach";  // what NaN means, in the legend
 };
 
-// A line over a panel that carries its name on itself, such as a limit on a slice: x and y with gaps as of a series.
+// A line over a panel that carries its name on itself, such as a limit on a slice: x and y with gaps as of a series. Where no name finds
+// room on its line or beside it, the line is dashed and the legend has the name.
 struct NamedLine {
   std::string label;  // empty: it carries none
   std::vector<double> x, y;
@@ -55,7 +57,7 @@ struct Panel {
   std::vector<Line> lines;
   std::optional<ColourMap> map = {};
   std::vector<NamedLine> named = {};
-  bool equal = false;  // x and y to one scale: a drawing, not a diagram
+  bool equal = false;  // x and y to one scale, a drawing, not a diagram: the frame is as large as its data then need
 };
 
 enum class Width { column, full };  // 85 mm and 174 mm, the two widths of a journal

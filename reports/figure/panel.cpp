@@ -152,6 +152,23 @@ void draw_curve(cairo_t* cr, const Trace& trace, const LineStyle& style, double 
   draw_exits(cr, trace, height);
 }
 
+// A light rim sets a curve off from whatever colour the map has there.
+void draw_casing(cairo_t* cr, const Trace& trace) {
+  for (const Stroke& stroke : trace.strokes) {
+    cairo_new_sub_path(cr);
+    for (const Point p : stroke) cairo_line_to(cr, p.x, p.y);
+  }
+  cairo_set_source_rgba(cr, 1, 1, 1, 0.8);
+  cairo_set_line_width(cr, curve_width + 1.4);
+  cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
+  cairo_stroke(cr);
+  for (const Point dot : trace.dots) {
+    cairo_new_sub_path(cr);
+    cairo_arc(cr, dot.x, dot.y, dot_radius + 0.7, 0, 2 * std::numbers::pi);
+  }
+  cairo_fill(cr);
+}
+
 void draw_absence(cairo_t* cr, const PanelLayout& layout) {
   const Text text(cr, "no data", {.size = label_size});
   set_colour(cr, quiet_ink);
@@ -163,7 +180,7 @@ void draw_absence(cairo_t* cr, const PanelLayout& layout) {
 void draw_panel(cairo_t* cr, const Panel& panel, const PanelLayout& layout) {
   cairo_save(cr);
   cairo_translate(cr, layout.frame.x, layout.frame.y);
-  if (panel.map) draw_map(cr, *panel.map, layout.frame.width, layout.frame.height);
+  if (panel.map) draw_map(cr, *panel.map, layout.window);
   shade(cr, layout.unreachable_bands, Band::Kind::unreachable);
   shade(cr, layout.limit_bands, Band::Kind::limit);
   if (!layout.empty && !panel.map) draw_grid(cr, layout);
@@ -171,12 +188,15 @@ void draw_panel(cairo_t* cr, const Panel& panel, const PanelLayout& layout) {
   const bool inside = layout.legend_place == PanelLayout::Place::inside;
   if (inside) draw_legend(cr, layout.legend, true);
   if (panel.map) draw_contour(cr, layout.contour);
+  draw_named(cr, layout.named);
   draw_axes(cr, layout);
   for (std::size_t i = 0; i < layout.traces.size(); ++i) {
+    if (panel.map) draw_casing(cr, layout.traces[i]);
     draw_curve(cr, layout.traces[i], panel.map ? line_over_map(style_of(panel.series[i], i)) : line_style(style_of(panel.series[i], i)),
                layout.frame.height);
   }
   draw_line_labels(cr, layout);
+  draw_names(cr, layout.named);
   if (layout.empty) draw_absence(cr, layout);
   if (layout.legend_place == PanelLayout::Place::below) draw_legend(cr, layout.legend, false);
   set_colour(cr, ink);

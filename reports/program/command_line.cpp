@@ -18,6 +18,7 @@ std::variant<Options, int> read_command_line(int argc, char** argv) {
   app.add_option("--plugin-path", options.plugin_path, "folder with plugins, searched first; may be repeated");
   app.add_option("--threads", options.threads, "threads to use (default: all cores); the report does not depend on it")
       ->check(CLI::PositiveNumber);
+  app.add_flag("--resume", options.resume, "let long scans go on where an interrupted run of the same scenario stopped");
   app.add_option("--timeout", options.timeout, "give up after so many seconds (default: never)")->check(CLI::PositiveNumber);
 
   CLI::App* list_command = app.add_subcommand("list", "list the mechanisms and their files");
@@ -36,7 +37,12 @@ std::variant<Options, int> read_command_line(int argc, char** argv) {
   new_mechanism_command->add_option("--folder", options.folder, "where its folder is made (default: here)");
   CLI::App* classify_command = app.add_subcommand("classify", "list the class of parallel-cross mechanisms");
   classify_command->add_flag("--json", options.json, "for programs");
-  for (CLI::App* c : {list_command, describe_command, check_command, new_command, new_mechanism_command, classify_command})
+  CLI::App* limits_command = app.add_subcommand("limits", "print the safe box around home as settings of a controller");
+  limits_command->add_option("scenario", options.scenario, "scenario with a section \"workspace\"")->required();
+  limits_command->add_option("--format", options.format, "toml, linuxcnc (HAL) or klipper (default: toml)")
+      ->check(CLI::IsMember({"toml", "linuxcnc", "klipper"}));
+  limits_command->add_option("--axes", options.axes, "letters of the controller's axes for coordinates besides x, y and z: alpha=c,beta=a");
+  for (CLI::App* c : {limits_command, list_command, describe_command, check_command, new_command, new_mechanism_command, classify_command})
     c->fallthrough();
 
   try {
@@ -46,11 +52,9 @@ std::variant<Options, int> read_command_line(int argc, char** argv) {
     return status == 0 ? all_well : bad_scenario;
   }
   if (*describe_command || *new_mechanism_command) options.names = {name};
-  const std::pair<CLI::App*, Command> commands[] = {{list_command, Command::list},
-                                                    {describe_command, Command::describe},
-                                                    {check_command, Command::check},
-                                                    {new_mechanism_command, Command::new_mechanism},
-                                                    {classify_command, Command::classify}};
+  const std::pair<CLI::App*, Command> commands[] = {{list_command, Command::list},         {describe_command, Command::describe},
+                                                    {check_command, Command::check},       {new_mechanism_command, Command::new_mechanism},
+                                                    {classify_command, Command::classify}, {limits_command, Command::limits}};
   for (const auto& [asked, command] : commands)
     if (*asked) options.command = command;
   if (options.command == Command::report && options.scenario.empty()) {

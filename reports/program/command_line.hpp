@@ -11,7 +11,7 @@ namespace pmreport::program {
 // Part of the interface, in README.md.
 enum ExitStatus { all_well = 0, gate_failed = 1, bad_scenario = 2, plugin_failed = 3, output_failed = 4, resource_limit = 5 };
 
-enum class Command { report, list, describe, check, new_mechanism, classify };
+enum class Command { report, list, describe, check, new_mechanism, classify, limits };
 
 struct Options {
   Command command = Command::report;
@@ -21,6 +21,9 @@ struct Options {
   // report
   std::string scenario, out;
   bool check_only = false, quiet = false;
+  bool resume = false;  // long scans go on with what an interrupted run has left
+  // limits
+  std::string format = "toml", axes;  // settings of which controller; letters of its axes, "alpha=c,beta=a"
   // describe, classify
   bool json = false;
   // describe, new mechanism: one; check: several, or all

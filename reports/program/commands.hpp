@@ -19,6 +19,7 @@ int describe(const Options& options);
 int check(const Options& options);
 int new_mechanism(const Options& options);
 int classify(const Options& options);
+int limits(const Options& options, bool (*stop)());
 
 // Warns of plugins that were found and refused.
 void tell_refused(const host::Catalog& catalog);

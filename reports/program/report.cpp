@@ -37,6 +37,9 @@ void print_verdict(const document::Report& report, const std::string& folder) {
   if (report.every_instant) fmt::print("{}\n", report.every_instant->sentence);
 }
 
+// Beside the report, not in it: the report is written when all is known.
+std::filesystem::path checkpoints_of(const std::string& folder) { return folder + ".checkpoints"; }
+
 }  // namespace
 
 int report(const Options& options, bool (*stop)()) {
@@ -50,15 +53,18 @@ int report(const Options& options, bool (*stop)()) {
                  loaded.scenario.sections.size());
     return all_well;
   }
+  const std::string folder = options.out.empty() ? std::filesystem::path(options.scenario).stem().string() + "-report" : options.out;
   Terminal terminal(options.quiet);
   const section::Progress progress{[&](const std::string& what) { terminal.say(what); },
                                    [&] {
                                      if (stop()) throw document::Interrupted("interrupted");
-                                   }};
+                                   },
+                                   checkpoints_of(folder), options.resume};
   const document::Report report = section::make_report(loaded, PMREPORT_VERSION, catalog.find(loaded.scenario.mechanism)->build, progress);
-  const std::string folder = options.out.empty() ? std::filesystem::path(options.scenario).stem().string() + "-report" : options.out;
   terminal.say("writing " + folder);
   document::write(report, folder, stop);
+  std::error_code none_there;
+  std::filesystem::remove_all(checkpoints_of(folder), none_there);
   terminal.clear();
   if (!options.quiet) print_verdict(report, folder);
   return report.passed() ? all_well : gate_failed;

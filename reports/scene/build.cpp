@@ -66,6 +66,11 @@ void include(Bounds& bounds, const Machine& machine, const Pose& pose) {
   bounds.include(machine.origin(pose, machine.topology().platform), 0.27 * sizes.overall);  // its frame and arrows
 }
 
+void include(Bounds& bounds, const Surface& surface) {
+  for (const Vector3d& p : surface.points)
+    if (p.allFinite()) bounds.include(p);
+}
+
 std::array<Eigen::Vector3d, 8> corners(const Solid& box) {
   std::array<Eigen::Vector3d, 8> out;
   for (std::size_t i = 0; i < out.size(); ++i)
@@ -90,6 +95,7 @@ Scene build(const Machine& machine, const Pose& pose, const Extras& extras) {
     add_frame(scene, machine.origin(pose, t.platform), machine.rotation(pose, t.platform), platform_names, 0.22 * sizes.overall);
   }
   add_extras(scene, machine, pose, sizes, extras);
+  scene.surfaces = extras.surfaces;
   if (!extras.labels) scene.labels.clear();
   if (extras.labels)
     for (std::size_t k = 0; k < t.joints.size(); ++k)

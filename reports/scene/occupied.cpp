@@ -16,13 +16,13 @@ constexpr int cell = 4;  // [px]
 // Weights: text over a plate reads well, over a limb or an axis it does not.
 constexpr double weight_plate = 0.22, weight_limb = 0.7, weight_line = 0.6;
 
-struct Surface {
+struct Canvas {
   cairo_surface_t* surface;
   cairo_t* cr;
-  Surface(int width, int height) : surface(cairo_image_surface_create(CAIRO_FORMAT_A8, width, height)), cr(cairo_create(surface)) {}
-  Surface(const Surface&) = delete;
-  Surface& operator=(const Surface&) = delete;
-  ~Surface() {
+  Canvas(int width, int height) : surface(cairo_image_surface_create(CAIRO_FORMAT_A8, width, height)), cr(cairo_create(surface)) {}
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+  ~Canvas() {
     cairo_destroy(cr);
     cairo_surface_destroy(surface);
   }
@@ -51,7 +51,7 @@ std::optional<Disc> joint_symbol(const Scene& scene, const Solid& s, const View&
 
 Occupied::Occupied(const Scene& scene, const View& view, int width, int height)
     : columns_((width + cell - 1) / cell), rows_((height + cell - 1) / cell) {
-  const Surface canvas(columns_, rows_);
+  const Canvas canvas(columns_, rows_);
   cairo_t* cr = canvas.cr;
   cairo_scale(cr, 1.0 / cell, 1.0 / cell);
   cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);

@@ -66,12 +66,13 @@ Renderer::Frame::Frame(const Scene& s, const Camera& camera, const Quality& q, c
 
   constexpr double inf = std::numeric_limits<double>::infinity();
   Eigen::Vector3d low = Eigen::Vector3d::Constant(inf), high = -low;
-  for (const Vertex& x : mesh.vertices) {
+  for (std::size_t k = 0; k < mesh.shadow_vertices; ++k) {
+    const Vertex& x = mesh.vertices[k];
     const Eigen::Vector4d p(x.position[0], x.position[1], x.position[2], 1);
     const Eigen::Vector3d g = (to_ground * p).head<3>();
     low = low.cwiseMin(g), high = high.cwiseMax(g);
   }
-  if (mesh.vertices.empty()) low.setZero(), high.setOnes();
+  if (mesh.shadow_vertices == 0) low.setZero(), high.setOnes();
   top = std::max(high.z(), 1e-9) * 1.001;
   half = 0.56 * std::max({high.x() - low.x(), high.y() - low.y(), 1e-9});  // a rim for the blur
   const Eigen::Vector2d centre = (low + high).head<2>() / 2;
@@ -86,6 +87,7 @@ Renderer::Frame::Frame(const Scene& s, const Camera& camera, const Quality& q, c
 Renderer::Renderer(int tile)
     : tile_(tile),
       solid_(shaders::solid_vertex, shaders::solid_fragment),
+      surface_(shaders::solid_vertex, shaders::surface_fragment),
       plain_(shaders::solid_vertex, shaders::plain_fragment),
       cast_(shaders::cast_vertex, shaders::cast_fragment),
       blur_(shaders::whole_vertex, shaders::blur_fragment),
@@ -159,7 +161,7 @@ void Renderer::cast_shadow(const Frame& frame) {
   cast_.set("top", frame.top);
   glBindVertexArray(*vertices_);
   for (const Part& p : frame.mesh.parts)
-    if (!p.line && !(p.through > 0))
+    if (p.kind == Part::Kind::solid && !(p.through > 0))
       glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(p.count), GL_UNSIGNED_INT,
                      reinterpret_cast<const void*>(p.first * sizeof(std::uint32_t)));
 
@@ -185,7 +187,8 @@ void Renderer::set_view(const Program& program, const Frame& frame) {
   program.set("outline", 0.0);
 }
 
-// Of the tile now drawn: the parts that can touch it, solids with their outlines first, then lines, then what shows through.
+// Of the tile now drawn: the parts that can touch it, solids and opaque surfaces first, then lines and outlines, then translucent surfaces,
+// then what shows through.
 bool Renderer::draw_tile(const Frame& frame, int x, int y, int width, int height) {
   const int s = frame.quality.supersample;
   std::vector<const Part*> here;
@@ -211,27 +214,34 @@ bool Renderer::draw_tile(const Frame& frame, int x, int y, int width, int height
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(p.count), GL_UNSIGNED_INT,
                    reinterpret_cast<const void*>(p.first * sizeof(std::uint32_t)));
   };
+  const auto each = [&](Part::Kind kind) {
+    for (const Part* p : here)
+      if (p->kind == kind) draw(*p);
+  };
   solid_.use();
-  for (const Part* p : here)
-    if (!p->line) draw(*p);
+  each(Part::Kind::solid);
+  surface_.use();
+  each(Part::Kind::surface);
 
   plain_.use();
   plain_.set("opacity", 1.0);
   plain_.set("ink", no_ink);
-  for (const Part* p : here)
-    if (p->line) draw(*p);
+  each(Part::Kind::line);
   glEnable(GL_CULL_FACE);
   glCullFace(GL_FRONT);
   plain_.set("outline", outline_width);
   plain_.set("ink", outline_ink);
-  for (const Part* p : here)
-    if (!p->line) draw(*p);
+  each(Part::Kind::solid);
   glDisable(GL_CULL_FACE);
 
   glDepthMask(GL_FALSE);
-  glDepthFunc(GL_GREATER);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  surface_.use();
+  each(Part::Kind::film);
+
+  glDepthFunc(GL_GREATER);
+  plain_.use();
   plain_.set("outline", 0.0);
   plain_.set("ink", no_ink);
   for (const Part* p : here)
@@ -277,8 +287,11 @@ Image Renderer::draw(const Scene& scene, const Camera& camera, const Quality& qu
 
   glEnable(GL_FRAMEBUFFER_SRGB);
   set_view(plain_, frame);
+  const Eigen::Vector3f up = view.turn(Eigen::Vector3d::UnitZ()).cast<float>();
+  set_view(surface_, frame);
+  surface_.set("up", up);
   set_view(solid_, frame);
-  solid_.set("up", Eigen::Vector3f(view.turn(Eigen::Vector3d::UnitZ()).cast<float>()));
+  solid_.set("up", up);
   solid_.set("heights", 0);
   solid_.set("map_size", double(heights_size));
   solid_.set("shade_bias", 0.012 * frame.half);

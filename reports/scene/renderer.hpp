@@ -2,7 +2,7 @@
 #pragma once
 
 #include <reports/scene/gl_objects.hpp>
-#include <reports/scene/mesh.hpp>
+#include <reports/scene/mesh/mesh.hpp>
 #include <reports/scene/offscreen.hpp>
 
 namespace pmreport::scene {
@@ -26,7 +26,7 @@ class Renderer {
 
   int tile_;
   OffscreenContext context_;  // first of all that needs it, so that it goes last
-  Program solid_, plain_, cast_, blur_, develop_;
+  Program solid_, surface_, plain_, cast_, blur_, develop_;
   VertexArray vertices_, nothing_;
   Buffer vertex_data_, index_data_;
   Texture samples_, heights_, shade_a_, shade_b_, developed_;

@@ -46,7 +46,7 @@ struct Bounds {
   void include(const Eigen::Vector3d& p, double margin = 0);
 };
 
-struct Surface {  // seen from both sides
+struct Surface {  // seen from both sides; casts no shadow
   std::vector<Eigen::Vector3d> points;
   std::vector<std::array<int, 3>> triangles;
   Color color;  // translucent where its alpha is below 1
@@ -93,6 +93,7 @@ struct Extras {
   Eigen::Vector3d force{0, 0, 0}, moment{0, 0, 0};  // applied to the platform, drawn as an arrow, a curved arrow
   bool labels = true, frames = true;
   std::vector<Screw> screws;
+  std::vector<Surface> surfaces;
 };
 
 // The scene of one pose: base, platform, bodies by their shapes or joints, joints by kind (ball, hinge with its axis, cross), labels by
@@ -102,6 +103,7 @@ Scene build(const mechanics::Machine& machine, const mechanics::Pose& pose, cons
 // Bounds of all that is drawn of a pose; a report includes all its samples, then frames every picture alike.
 void include(Bounds& bounds, const mechanics::Machine& machine, const mechanics::Pose& pose);
 void include(Bounds& bounds, const mechanics::Machine& machine, const mechanics::Pose& pose, const Screw& screw);  // its drawn part
+void include(Bounds& bounds, const Surface& surface);
 // A parallel view of all that is in the bounds, with a rim of 7 % of the height all round, from `azimuth` about the base's z axis and
 // `elevation` above its xy plane [rad]; `aspect`: width over height of the picture. Of empty bounds the camera as it is made.
 Camera frame(const Bounds& bounds, double azimuth, double elevation, double aspect);

@@ -66,6 +66,27 @@ void main() {
 }
 )";
 
+// A surface looks alike from both sides. Where it is seen aslant it is thicker to the eye and hides more, so that its rim tells its shape.
+inline constexpr const char* surface_fragment = R"(#version 330 core
+in vec3 n;
+in vec4 paint;
+uniform vec3 up;
+out vec4 result;
+void main() {
+  vec3 base = paint.rgb * (paint.rgb * (paint.rgb * 0.305306011 + 0.682171111) + 0.012522878);
+  vec3 m = length(n) > 0.0 ? normalize(n) : vec3(0.0, 0.0, 1.0);
+  if (m.z < 0.0) m = -m;
+  float key = max(0.0, dot(m, vec3(-0.485, 0.566, 0.667)));
+  float fill = max(0.0, dot(m, vec3(0.640, 0.105, 0.761)));
+  float sky = 0.5 + 0.5 * dot(m, up);
+  float h = max(0.0, dot(m, vec3(-0.266, 0.310, 0.913)));
+  float s = h * h; s *= s; s *= s; s *= s; s *= s;
+  vec3 sum = base * (0.62 * key + mix(0.16, 0.36, sky) + 0.26 * fill) + 0.08 * s;
+  float aslant = 1.0 - m.z;
+  result = vec4(sqrt(min(sum, vec3(1.0))), mix(paint.a, 1.0, 0.6 * aslant * aslant * aslant));
+}
+)";
+
 // Lines, outlines, and what is seen through others: paint alone.
 inline constexpr const char* plain_fragment = R"(#version 330 core
 in vec4 paint;
@@ -146,7 +167,7 @@ void main() {
       for (int x = 0; x < supersample; ++x)
         for (int k = 0; k < 4; ++k) {
           vec4 root = texelFetch(samples, first + ivec2(x, y), k);
-          solids += root * vec4(root.rgb, 1.0);
+          solids += vec4(root.rgb * root.rgb / max(root.a, 1e-3), root.a);  // roots are premultiplied, light is to be
         }
     solids /= float(4 * supersample * supersample);
   }

@@ -17,6 +17,7 @@ namespace pmreport::section {
   KIND(mobility)                     \
   KIND(singularity)                  \
   KIND(assembly)                     \
+  KIND(workspace)                    \
   KIND(comparison)                   \
   KIND(classification)
 

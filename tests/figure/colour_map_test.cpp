@@ -6,7 +6,9 @@
 #include <functional>
 #include <limits>
 
+#include <tests/figure/eyes.hpp>
 #include <tests/figure/samples.hpp>
+#include "reports/figure/colour_scale.hpp"
 #include "reports/figure/layout/layout.hpp"
 #include "reports/figure/surface.hpp"
 
@@ -33,12 +35,7 @@ Panel panel_of(ColourMap map) {
   return p;
 }
 
-// CIE lightness of an sRGB colour.
-double lightness(const Colour& c) {
-  const auto linear = [](double u) { return u <= 0.04045 ? u / 12.92 : std::pow((u + 0.055) / 1.055, 2.4); };
-  const double y = 0.2126 * linear(c.red) + 0.7152 * linear(c.green) + 0.0722 * linear(c.blue);
-  return 116 * std::cbrt(y) - 16;
-}
+double lightness(const Colour& c) { return eyes::lab(c, nullptr).lightness; }
 
 }  // namespace
 
@@ -85,7 +82,7 @@ TEST_CASE("alternating corners are joined as the value in their middle says, and
 
 TEST_CASE("the colours end where 98 of 100 values lie, and the panel tells how far the rest goes") {
   const ColourMap map = sampled(50, [](double x, double y) { return x > 0.99 && y > 0.99 ? 1000.0 : x; });
-  CHECK(colour_limit(map) == Approx(1).epsilon(0.05));
+  CHECK(colour_range(map).high == Approx(1).epsilon(0.05));
   const Context cr = measuring_context();
   CHECK(lay_out_panel(cr.get(), panel_of(map), 150, 150, 180).spike_note == "beyond the colours: up to 1×10³");
   CHECK(lay_out_panel(cr.get(), panel_of(sampled(50, [](double, double) { return 0.0; })), 150, 150, 180).spike_note.empty());
@@ -98,9 +95,27 @@ TEST_CASE("a map explains its contour and what is out of reach below the frame, 
   REQUIRE(keys.size() == 2);
   CHECK(keys[0].kind == Key::Kind::contour);
   CHECK(keys[0].label == "det = 0");
-  CHECK(keys[1].kind == Key::Kind::unreachable);
+  CHECK(keys[1].kind == Key::Kind::fill);
+  CHECK(keys[1].label == "out of reach");
+  CHECK(keys[1].style == -1);
   const Context cr = measuring_context();
   CHECK((lay_out_panel(cr.get(), panel_of(map), 150, 150, 180).legend_place == PanelLayout::Place::below));
+}
+
+TEST_CASE("a map of classes names those that occur, has no bar, and tells what has none") {
+  ColourMap map = sampled(21, [&](double x, double y) { return x + y > 1 ? samples::gap : x < 0 ? 0.0 : 2.0; });
+  map.scale = ColourMap::Scale::classes;
+  map.classes = {"accepted", "leg 1 too short", "leg 2 too long"};
+  map.missing = "not examined";
+  const std::vector<Key> keys = keys_of(panel_of(map));
+  REQUIRE(keys.size() == 3);
+  CHECK((keys[0].label == "accepted" && keys[0].style == 0));
+  CHECK((keys[1].label == "leg 2 too long" && keys[1].style == 2));
+  CHECK((keys[2].label == "not examined" && keys[2].style == -1));
+  const Context cr = measuring_context();
+  const PanelLayout layout = lay_out_panel(cr.get(), panel_of(map), 150, 150, 180);
+  CHECK(bar_width(cr.get(), map, layout.bar, 150) == 0);
+  CHECK(layout.spike_note.empty());
 }
 
 TEST_CASE("a map without a value says so") {

@@ -38,4 +38,7 @@ struct WorkspaceRequest {
   std::vector<double> proportions;  // of the scanned coordinates for the safe box, SI; empty: those of the scanned ranges
 };
 
+// The unit of a volume over so many lengths and angles: "m^3", "m^2*rad", "rad".
+std::string unit_of_volume(int metres, int radians);
+
 }  // namespace pmreport::analysis

@@ -22,7 +22,7 @@ struct Workspace {
   scan::PoseSet set;
   scan::Scan scan;
   std::string unit;             // of the volume: "m^3", "m^2", "m^3*rad^3", "rad"
-  bool home_inside = false;     // the pose at home, all coordinates, keeps every limit
+  bool home_inside = false;     // home, but for what `at` holds elsewhere, keeps every limit
   std::string home_refused_by;  // name of the first margin that it does not keep
   std::optional<scan::GridCounts> grid;
   std::optional<scan::Components> components;  // of the grid's points
@@ -32,7 +32,9 @@ struct Workspace {
   std::optional<scan::Estimate> estimate;
   std::optional<scan::SafeBox> safe_box;
   std::optional<scan::SafeBall> safe_ball;
-  std::string not_proved;  // why a proof that was asked for was not made; empty: it was, or was not asked for
+  std::vector<scan::Axis> safe_axes;     // of both: all scanned coordinates at once, orientations too
+  std::vector<double> safe_proportions;  // of these
+  std::string not_proved;                // why a proof that was asked for was not made; empty: it was, or was not asked for
 };
 
 // Cannot be done: too many poses, too much memory. The sentence says what would be needed, and what to do.
@@ -40,8 +42,12 @@ struct ScanTooLarge : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Throws ScanTooLarge, scan::CheckpointError, mechanics::MechanismError, and what progress.stop_if_asked throws. `checkpoint`: where a long
-// scan keeps what is done; empty: nowhere.
+// The mechanism records no geometry.
+struct NoProgram : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Throws NoProgram, ScanTooLarge, scan::CheckpointError, mechanics::MechanismError, and what progress.stop_if_asked throws.
 Workspace workspace(const mechanics::Machine& machine, const WorkspaceRequest& request, const Progress& progress);
 
 }  // namespace pmreport::analysis

@@ -11,4 +11,9 @@ bool binds(const Joint& joint, const Range& range, bool upper) {
   return upper || joint.kind != JointKind::spherical || range.min > 0;
 }
 
+bool bounds_travel(const Joint& joint, const Range& range) {
+  constexpr double free = 10;  // [m]
+  return joint.kind == JointKind::prismatic && (range.min > -free || range.max < free);
+}
+
 }  // namespace pmreport::mechanics

@@ -27,6 +27,8 @@ struct Placed {  // a body, base axes
 // Whether an end of a limit can be met. An angle from half a turn back to half a turn ahead tells nothing apart, and a deflection is never
 // less than none. The travel of a slide is judged as the stroke of its actuator.
 bool binds(const Joint& joint, const Range& range, bool upper);
+// A slide whose travel is bounded besides the stroke of an actuator: ten metres either way stand for no limit.
+bool bounds_travel(const Joint& joint, const Range& range);
 
 // An angle about the unit axis n of one body A, from the direction c of A to a direction w, both seen along n: with c_ the part of c across
 // n, n . (c_ x w) = (n x c_) . w, so that

@@ -42,6 +42,13 @@ inline std::string origin_of(const Topology& t, const Joint& j) {
   return "a direction in " + socket;
 }
 
+// "A1_deflection", "B2_angle1", "P6_travel": the motion of a joint that limit `limit` of it bounds, in columns and limits.
+inline std::string motion_name(const Joint& j, std::size_t limit) {
+  if (j.kind == JointKind::spherical) return j.name + "_deflection";
+  if (j.kind == JointKind::prismatic) return j.name + "_travel";
+  return j.name + "_angle" + (j.limits.size() > 1 ? std::to_string(limit + 1) : "");
+}
+
 // Of all joints: "home", "home; those of B1, B2 from axis z of platform".
 inline std::string origins_of(const Topology& t) {
   std::vector<std::pair<std::string, std::string>> declared;  // origin, joints; in the order of the joints

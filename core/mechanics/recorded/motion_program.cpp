@@ -35,7 +35,7 @@ bool along_z(const Eigen::Vector3d& v) { return v.x() == 0 && v.y() == 0; }
 
 }  // namespace
 
-std::optional<MotionProgram> motion_program(const Machine& machine, std::string* why) {
+std::optional<MotionProgram> motion_program(const Machine& machine, std::string* why, bool slides) {
   const program::Program* geometry = machine.program(why);
   if (geometry == nullptr) return std::nullopt;
   const Topology& t = machine.topology();
@@ -50,13 +50,16 @@ std::optional<MotionProgram> motion_program(const Machine& machine, std::string*
     std::vector<Recorded> motions;
     bool known = true;
     for (std::size_t k = 0; k < joint.limits.size(); ++k) {
-      if (!binds(joint, joint.limits[k], false) && !binds(joint, joint.limits[k], true)) continue;
+      const bool slide = slides && bounds_travel(joint, joint.limits[k]);
+      if (!slide && !binds(joint, joint.limits[k], false) && !binds(joint, joint.limits[k], true)) continue;
       if (motions.empty()) {
         bool whole_a = false, whole_b = false;
         const Placed<Recorded> a = placed(machine, recorder, joint.a, whole_a), b = placed(machine, recorder, joint.b, whole_b);
         const JointHome& home = closure.home(static_cast<int>(j));
         // A ball shows its stud's z axis in its socket; a socket without spin shows its own z axis alone.
         known = joint.kind == JointKind::spherical ? (joint.stud == joint.a ? whole_b : whole_a) || along_z(home.stud) : whole_a && whole_b;
+        // A slide needs of its first body no more than the axis, and where the second's centre lies on its own.
+        if (joint.kind == JointKind::prismatic) known = (whole_a || along_z(home.a.axis[0])) && (whole_b || along_z(home.b.centre));
         if (!known) break;
         motions = joint_motion(joint, home, a, b);
       }

@@ -82,6 +82,8 @@ struct LimitChoice {
 };
 // A sentence that completes "..." when a limit names what the mechanism does not have; nothing when all is well.
 std::optional<std::string> refusal(const Machine& machine, const AskedLimit& asked);
+// SI unit of the value, or of the first of the group, of that name; empty where there is none, or where it is a plain number.
+std::string unit_of_value(const Machine& machine, const std::string& name);
 // Nothing where the mechanism has no program; `why` then gets a sentence.
 std::optional<PoseMargins> pose_margins(const Machine& machine, const LimitChoice& choice, std::string* why = nullptr);
 

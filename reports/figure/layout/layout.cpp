@@ -1,4 +1,5 @@
 #include <reports/figure/layout/layout.hpp>
+#include <reports/figure/layout/range.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +18,11 @@ constexpr double between_rows = 9;
 constexpr double edge = 1.5;        // [pt] nothing touches the edge of the picture
 constexpr double legend_below = 3;  // [pt] from the axis title
 constexpr int most_columns = 4;
+constexpr double tallest = 250;  // [pt] of a frame to one scale
 
 struct Grid {
   int columns;
-  double width, cell_width, frame_height;  // [pt]
+  double width, cell_width, frame_height;  // [pt]; of frames that are free to have any
 };
 
 // About 48 mm a panel with its labels when two stand side by side; one alone is taller, so that it keeps its proportions. A
@@ -32,6 +34,17 @@ Grid grid_of(const Figure& figure) {
   const double cell = (width - 2 * edge - between_columns * (columns - 1)) / columns;
   const bool maps = std::any_of(figure.panels.begin(), figure.panels.end(), [](const Panel& p) { return p.map.has_value(); });
   return {columns, width, cell, maps ? 150.0 : figure.width == Width::full && columns == 1 ? 140.0 : 102.0};
+}
+
+// Frames to one scale are as tall as their width makes them, and the others of their figure with them.
+double frame_height(const Figure& figure, const Grid& grid, double width) {
+  double tall = 0;
+  for (const Panel& panel : figure.panels) {
+    if (!panel.equal) continue;
+    const Interval x = x_range(panel), y = y_range(panel);
+    tall = std::max(tall, std::min(width * (y.high - y.low) / (x.high - x.low), tallest));
+  }
+  return tall > 0 ? std::max(tall, least_equal_height) : grid.frame_height;
 }
 
 // Room that a panel needs around its frame.
@@ -59,7 +72,6 @@ Margins margins_of(cairo_t* cr, const Panel& panel, PanelLayout& layout) {
   if (panel.map) margins.right = std::max(overhang, bar_width(cr, *panel.map, layout.bar, height));
   layout.x_title_y = height + tick_length + tick_gap + tick_height + title_gap;
   if (layout.legend_place == PanelLayout::Place::below) {
-    layout.legend.box.x = std::min((width - layout.legend.box.width) / 2, width - layout.legend.box.width);
     layout.legend.box.y = height + margins.bottom + legend_below;
     margins.bottom += legend_below + layout.legend.box.height;
   }
@@ -101,8 +113,8 @@ Layout lay_out(cairo_t* cr, const Figure& figure) {
     layout.panels.clear();
     double need_left = 0, need_right = 0;
     for (std::size_t i = 0; i < figure.panels.size(); ++i) {
-      layout.panels.push_back(
-          lay_out_panel(cr, figure.panels[i], grid.cell_width - left - right, grid.frame_height, grid.cell_width - right));
+      const double room = grid.cell_width - left - right;
+      layout.panels.push_back(lay_out_panel(cr, figure.panels[i], room, frame_height(figure, grid, room), grid.cell_width - right));
       layout.panels[i].heading = heading_of(figure, i);
       margins[i] = margins_of(cr, figure.panels[i], layout.panels[i]);
       need_left = std::max(need_left, margins[i].left);
@@ -117,17 +129,23 @@ Layout lay_out(cairo_t* cr, const Figure& figure) {
   const auto columns = static_cast<std::size_t>(grid.columns);
   for (std::size_t first = 0; first < layout.panels.size(); first += columns) {
     const std::size_t end = std::min(first + columns, layout.panels.size());
-    double top = 0, bottom = 0;
+    double top = 0, below = 0;
     for (std::size_t i = first; i < end; ++i) {
       top = std::max(top, heading_height(cr, layout.panels[i]));
-      bottom = std::max(bottom, margins[i].bottom);
+      below = std::max(below, layout.panels[i].frame.height + margins[i].bottom);
     }
     for (std::size_t i = first; i < end; ++i) {
-      layout.panels[i].frame.x = edge + static_cast<double>(i - first) * (grid.cell_width + between_columns) + left;
-      layout.panels[i].frame.y = y + top;
-      layout.panels[i].y_title_x = -left;
+      PanelLayout& panel = layout.panels[i];
+      const double spare = grid.cell_width - left - right - panel.frame.width;  // of a frame to one scale
+      panel.frame.x = edge + static_cast<double>(i - first) * (grid.cell_width + between_columns) + left + spare / 2;
+      panel.frame.y = y + top;
+      panel.y_title_x = -left;
+      // In the middle below its frame, unless it is so wide that it would leave the panel on the right.
+      Box& legend = panel.legend.box;
+      if (panel.legend_place == PanelLayout::Place::below)
+        legend.x = std::min((panel.frame.width - legend.width) / 2, panel.frame.width + spare / 2 - legend.width);
     }
-    y += top + grid.frame_height + bottom + (end < layout.panels.size() ? between_rows : 0);
+    y += top + below + (end < layout.panels.size() ? between_rows : 0);
   }
   layout.size = {grid.width, std::ceil(y + edge)};
   return layout;

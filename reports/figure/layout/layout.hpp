@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
+#include <reports/figure/colour_bar.hpp>
 #include <reports/figure/colour_map.hpp>
 #include <reports/figure/curve.hpp>
 #include <reports/figure/draw.hpp>
 #include <reports/figure/geometry.hpp>
 #include <reports/figure/layout/axis.hpp>
 #include <reports/figure/layout/legend.hpp>
+#include <reports/figure/layout/line_names.hpp>
 
 namespace pmreport::figure {
 
@@ -30,6 +32,7 @@ struct PanelLayout {
   std::vector<Box> limit_bands, unreachable_bands;
   std::vector<double> lines;  // [pt] heights of the limit lines inside the frame
   std::vector<LineLabel> line_labels;
+  NamedLines named;
   ColourBar bar;                // of a map
   std::vector<Stroke> contour;  // of a map
   enum class Place { none, inside, below } legend_place = Place::none;
@@ -48,7 +51,8 @@ struct Layout {
 // `cr` only measures text; the layout does not depend on its surface.
 Layout lay_out(cairo_t* cr, const Figure& figure);
 
-// One panel whose frame has this size [pt]; its place on the page is left open. A legend below the frame may be as wide as `room` [pt].
+// One panel whose frame has this size [pt], or less where it is to one scale; its place on the page is left open. A legend below the frame
+// may be as wide as `room` [pt].
 PanelLayout lay_out_panel(cairo_t* cr, const Panel& panel, double width, double height, double room);
 
 // White paper and every panel.

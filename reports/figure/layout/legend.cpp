@@ -5,6 +5,8 @@
 #include <limits>
 
 #include <reports/figure/colour_map.hpp>
+#include <reports/figure/colour_scale.hpp>
+#include <reports/figure/layout/line_names.hpp>
 #include <reports/figure/palette.hpp>
 #include <reports/figure/shading.hpp>
 #include <reports/figure/text.hpp>
@@ -60,12 +62,15 @@ double cost(const Legend& legend, const Box& box, const Ground& ground, double w
 }
 
 void draw_swatch(cairo_t* cr, const Key& key, double x, double middle) {
-  if (key.kind == Key::Kind::curve || key.kind == Key::Kind::over_map || key.kind == Key::Kind::contour) {
+  if (key.kind == Key::Kind::fill) {
+    draw_fill(cr, key.style, {x, middle - 3.25, swatch, 6.5});
+  } else if (key.kind != Key::Kind::limit && key.kind != Key::Kind::unreachable) {
     const LineStyle style = key.kind == Key::Kind::curve      ? line_style(key.style)
                             : key.kind == Key::Kind::over_map ? line_over_map(key.style)
+                            : key.kind == Key::Kind::named    ? LineStyle{ink, named_dash(key.style)}
                                                               : LineStyle{ink, {}};
     set_colour(cr, style.colour);
-    cairo_set_line_width(cr, key.kind == Key::Kind::contour ? contour_width : curve_width);
+    cairo_set_line_width(cr, key.kind == Key::Kind::contour ? contour_width : key.kind == Key::Kind::named ? named_width : curve_width);
     cairo_set_dash(cr, style.dash.data(), static_cast<int>(style.dash.size()), 0);
     cairo_move_to(cr, x, middle);
     cairo_line_to(cr, x + swatch, middle);
@@ -92,9 +97,16 @@ std::vector<Key> keys_of(const Panel& panel) {
   if (panel.map) {
     const auto& values = panel.map->values;
     const auto has = [&](auto&& is) { return std::any_of(values.begin(), values.end(), is); };
+    if (panel.map->scale == ColourMap::Scale::classes) {
+      for (std::size_t k = 0; k < panel.map->classes.size(); ++k)
+        if (has([&](double v) { return v >= 0 && static_cast<std::size_t>(v) == k; }))
+          keys.push_back({Key::Kind::fill, panel.map->classes[k], static_cast<int>(k)});
+      if (has([](double v) { return !(v >= 0); })) keys.push_back({Key::Kind::fill, panel.map->missing, -1});
+      return keys;
+    }
     if (!panel.map->zero.empty() && has([](double v) { return v < 0; }) && has([](double v) { return v > 0; }))
       keys.push_back({Key::Kind::contour, panel.map->zero});
-    if (has([](double v) { return !std::isfinite(v); })) keys.push_back({Key::Kind::unreachable, "out of reach"});
+    if (has([](double v) { return !std::isfinite(v); })) keys.push_back({Key::Kind::fill, panel.map->missing, -1});
     return keys;
   }
   if (any(Band::Kind::limit)) keys.push_back({Key::Kind::limit, "limit broken"});
@@ -110,8 +122,11 @@ std::vector<Legend> legend_shapes(cairo_t* cr, const std::vector<Key>& keys, dou
   std::vector<Legend> shapes;
   for (int rows = static_cast<int>(keys.size()); rows >= 1; --rows) {
     Legend legend = shape(keys, sizes, rows);
-    if (shapes.empty() || (legend.box.width <= width && legend.columns.size() > shapes.back().columns.size()))
+    if (!shapes.empty() && legend.box.width > width) continue;
+    if (shapes.empty() || legend.columns.size() > shapes.back().columns.size())
       shapes.push_back(std::move(legend));
+    else if (shapes.size() > 1 && legend.columns.size() == shapes.back().columns.size())
+      shapes.back() = std::move(legend);  // the same columns, less uneven
   }
   return shapes;
 }

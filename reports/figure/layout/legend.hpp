@@ -12,9 +12,9 @@
 namespace pmreport::figure {
 
 struct Key {
-  enum class Kind { curve, limit, unreachable, over_map, contour } kind;  // over_map: a curve that lies over a map
+  enum class Kind { curve, limit, unreachable, over_map, contour, named, fill } kind;  // over_map: a curve that lies over a map
   std::string label;
-  int style = 0;  // of a curve
+  int style = 0;  // of a curve; the dash of a named line; the class of a fill
 };
 
 struct Legend {
@@ -30,7 +30,8 @@ struct Legend {
 
 int style_of(const Series& series, std::size_t position);
 
-// One key a labelled curve, one a kind of band.
+// One key a labelled curve, one a kind of band, one a class that occurs on a map. Named lines have one only where their names find no room
+// elsewhere, which the panel's layout knows.
 std::vector<Key> keys_of(const Panel& panel);
 
 // The legend in one, two, three... columns, as far as each fits `width` [pt]; a single column always does. Sized, not placed.

@@ -45,7 +45,7 @@ std::string less(double offset, double step, const std::string& unit) {
 }  // namespace
 
 Panel set_off(const Panel& panel) {
-  if (panel.map || panel.series.size() < 2) return panel;
+  if (panel.map || panel.equal || !panel.named.empty() || panel.series.size() < 2) return panel;
   const Interval shown = y_range(panel);
   for (const Line& line : panel.lines)
     if (line.y >= shown.low && line.y <= shown.high) return panel;

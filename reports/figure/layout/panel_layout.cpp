@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include <reports/figure/colour_scale.hpp>
 #include <reports/figure/layout/layout.hpp>
 #include <reports/figure/layout/range.hpp>
 #include <reports/figure/palette.hpp>
@@ -73,6 +74,17 @@ Occupancy ink_of(const PanelLayout& layout) {
   return ink;
 }
 
+// All that names on lines must keep off.
+std::vector<Stroke> drawn(const PanelLayout& layout) {
+  std::vector<Stroke> strokes = layout.contour;
+  for (const Trace& trace : layout.traces) {
+    strokes.insert(strokes.end(), trace.strokes.begin(), trace.strokes.end());
+    for (const Point dot : trace.dots) strokes.push_back({{dot.x - dot_radius, dot.y}, {dot.x + dot_radius, dot.y}});
+  }
+  for (const double y : layout.lines) strokes.push_back({{0, y}, {layout.window.width, y}});
+  return strokes;
+}
+
 Occupancy shading_of(const PanelLayout& layout) {
   Occupancy shading(layout.window.width, layout.window.height);
   for (const Box& box : layout.limit_bands) shading.mark(box);
@@ -139,7 +151,9 @@ std::string spike_note(const Panel& panel, const PanelLayout& layout) {
 // Everything but the legend; returns the ground on which the legend looks for a place.
 Ground arrange(cairo_t* cr, const Panel& panel, Interval y, double width, double height, PanelLayout& layout) {
   fill(panel, y, width, height, layout);
+  layout.named = lay_out_named(cr, panel.named, layout.window, drawn(layout));
   Ground ground{ink_of(layout), shading_of(layout)};
+  mark(ground.ink, layout.named);
   Occupancy curves_and_lines = ground.ink;
   curves_and_lines.seal();
   label_lines(cr, panel, curves_and_lines, layout);
@@ -149,17 +163,23 @@ Ground arrange(cairo_t* cr, const Panel& panel, Interval y, double width, double
   return ground;
 }
 
+// Names that found no room on their lines are told by the legend.
+std::vector<Key> all_keys(const Panel& panel, const PanelLayout& layout) {
+  std::vector<Key> keys = keys_of(panel);
+  for (std::size_t i = 0; i < panel.named.size(); ++i)
+    if (const int dash = layout.named.lines[i].dash; dash > 0) keys.push_back({Key::Kind::named, panel.named[i].label, dash});
+  return keys;
+}
+
 // The legend never covers a map.
-void lay_out_map(cairo_t* cr, const Panel& panel, double width, double height, double room, PanelLayout& layout) {
+void lay_out_map(cairo_t* cr, const Panel& panel, Interval y, double width, double height, double room, PanelLayout& layout) {
   const ColourMap& map = *panel.map;
-  fill(panel, y_range(panel), width, height, layout);
+  fill(panel, y, width, height, layout);
   layout.bar = lay_out_bar(cr, map, height);
   if (!map.zero.empty()) layout.contour = zero_contour(map, layout.window);
-  double most = 0;
-  for (const double v : map.values)
-    if (std::isfinite(v)) most = std::max(most, std::abs(v));
-  if (most > colour_limit(map)) layout.spike_note = fmt::format("beyond the colours: up to {}", typeset(most, 2));
-  const std::vector<Legend> shapes = legend_shapes(cr, keys_of(panel), room);
+  layout.named = lay_out_named(cr, panel.named, layout.window, drawn(layout));
+  layout.spike_note = beyond_the_colours(map);
+  const std::vector<Legend> shapes = legend_shapes(cr, all_keys(panel, layout), room);
   if (shapes.empty()) return;
   layout.legend_place = PanelLayout::Place::below;
   layout.legend = shapes.back();
@@ -169,23 +189,29 @@ void lay_out_map(cairo_t* cr, const Panel& panel, double width, double height, d
 
 PanelLayout lay_out_panel(cairo_t* cr, const Panel& panel, double width, double height, double room) {
   PanelLayout layout;
+  Interval x = x_range(panel), y = y_range(panel);
+  if (panel.equal) {
+    const EqualFrame equal = fit_equal(x, y, width, height);
+    width = equal.width, height = equal.height, x = equal.x, y = equal.y;
+  }
   layout.frame = {0, 0, width, height};
   layout.empty = !has_data(panel);
-  layout.x = horizontal_scale(cr, x_range(panel), width);
+  layout.x = horizontal_scale(cr, x, width);
   if (panel.map) {
-    lay_out_map(cr, panel, width, height, room, layout);
+    lay_out_map(cr, panel, y, width, height, room, layout);
     return layout;
   }
-  const std::vector<Legend> shapes = legend_shapes(cr, keys_of(panel), width - 6);
   for (const double headroom : headrooms) {
-    const Ground ground = arrange(cr, panel, y_range(panel, headroom), width, height, layout);
+    const Ground ground = arrange(cr, panel, headroom > 0 ? y_range(panel, headroom) : y, width, height, layout);
+    const std::vector<Legend> shapes = legend_shapes(cr, all_keys(panel, layout), width - 6);
     if (shapes.empty()) return layout;
     layout.legend_place = PanelLayout::Place::inside;
     if (place_inside(shapes, ground, width, height, layout.legend)) return layout;
+    if (panel.equal) break;  // more room above would need another scale
   }
-  arrange(cr, panel, y_range(panel), width, height, layout);
+  arrange(cr, panel, y, width, height, layout);
   layout.legend_place = PanelLayout::Place::below;
-  layout.legend = legend_shapes(cr, keys_of(panel), room).back();
+  layout.legend = legend_shapes(cr, all_keys(panel, layout), room).back();
   return layout;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace pmreport::figure {
@@ -63,14 +64,20 @@ Hull hull_of_data(const Panel& panel) {
     core.include(few ? *low : quantile(values, tail));
     core.include(few ? *high : quantile(values, 1 - tail));
   }
-  return full.empty() ? full : without_spikes(full, core);
+  for (const NamedLine& line : panel.named)
+    for (std::size_t i = 0; i < std::min(line.x.size(), line.y.size()); ++i)
+      if (std::isfinite(line.x[i]) && std::isfinite(line.y[i])) full.include(std::clamp(line.y[i], -largest, largest));
+  return full.empty() || panel.equal || core.empty() ? full : without_spikes(full, core);
 }
 
 }  // namespace
 
 bool has_data(const Panel& panel) {
   if (panel.map) return std::any_of(panel.map->values.begin(), panel.map->values.end(), [](double v) { return std::isfinite(v); });
-  return std::any_of(panel.series.begin(), panel.series.end(), [](const Series& series) { return !finite_y(series).empty(); });
+  return std::any_of(panel.series.begin(), panel.series.end(), [](const Series& series) { return !finite_y(series).empty(); }) ||
+         std::any_of(panel.named.begin(), panel.named.end(), [](const NamedLine& line) {
+           return !finite_y({"", line.x, line.y, 0}).empty();
+         });
 }
 
 Interval x_range(const Panel& panel) {
@@ -81,7 +88,13 @@ Interval x_range(const Panel& panel) {
       if (std::isfinite(x)) hull.include(x);
     }
   }
-  return hull.empty() ? Interval{0, 1} : widened({hull.low, hull.high});
+  for (const NamedLine& line : panel.named)
+    for (const double x : line.x)
+      if (std::isfinite(x)) hull.include(x);
+  if (hull.empty()) return {0, 1};
+  const Interval base = widened({hull.low, hull.high});
+  const double pad = panel.equal ? margin * (base.high - base.low) : 0;
+  return {base.low - pad, base.high + pad};
 }
 
 Interval y_range(const Panel& panel, double headroom) {
@@ -96,6 +109,18 @@ Interval y_range(const Panel& panel, double headroom) {
   }
   const double pad = margin * shown.width();
   return {shown.low - pad, shown.high + pad + headroom * shown.width()};
+}
+
+EqualFrame fit_equal(Interval x, Interval y, double width, double height) {
+  const double scale = std::min(width / (x.high - x.low), height / (y.high - y.low));  // [pt] of a step of one
+  const auto fit = [&](Interval range, double least, double most) {
+    const double side = (range.high - range.low) * scale, spare = (std::min(least, most) - side) / scale / 2;
+    if (spare <= 0) return std::pair{std::min(side, most), range};
+    return std::pair{std::min(least, most), Interval{range.low - spare, range.high + spare}};
+  };
+  const auto [across, wide] = fit(x, least_equal_width, width);
+  const auto [down, high] = fit(y, least_equal_height, height);
+  return {across, down, wide, high};
 }
 
 }  // namespace pmreport::figure

@@ -3,7 +3,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <reports/scene/mesh.hpp>
+#include <reports/scene/mesh/mesh.hpp>
+#include <reports/scene/mesh/surfaces.hpp>
 
 namespace pmreport::scene {
 
@@ -81,7 +82,7 @@ class Mesher {
               -inf,
               -inf,
               inf,
-              line,
+              line ? Part::Kind::line : Part::Kind::solid,
               through};
     for (std::size_t i = first_vertex_; i < mesh_.vertices.size(); ++i) {
       const auto& p = mesh_.vertices[i].position;
@@ -264,6 +265,8 @@ Mesh tessellate(const Scene& scene, const View& view) {
   Mesher mesher(view, mesh);
   for (const Solid& s : scene.solids) mesher.add(s);
   for (const Polyline& l : scene.lines) mesher.add(l);
+  mesh.shadow_vertices = mesh.vertices.size();
+  add_surfaces(scene, view, mesh);
   return mesh;
 }
 

@@ -1,0 +1,177 @@
+#include <core/analysis/workspace/by_definition.hpp>
+
+#include <core/analysis/workspace/scan_of.hpp>
+#include <core/mechanics/model/closure.hpp>
+#include <core/mechanics/model/joint_words.hpp>
+#include <core/mechanics/workspace/segments.hpp>
+#include <core/program/evaluate.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pmreport::analysis {
+
+namespace {
+
+using mechanics::PoseLimit;
+
+// Values this near an end are left out: the two ways differ by rounding there.
+constexpr double near_an_end = 1e-9;
+// Of the poses around home, how far of the range they reach.
+constexpr double around_home = 0.15;
+
+double halton(int index, int base) {
+  double out = 0, digit = 1;
+  for (int i = index; i > 0; i /= base) {
+    digit /= base;
+    out += digit * (i % base);
+  }
+  return out;
+}
+
+// Least distance of two segments: of their ends from the other, or of the lines where both feet lie within.
+double segment_distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d) {
+  const auto from_segment = [](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r) {
+    const double s = std::clamp((p - q).dot(r - q) / (r - q).squaredNorm(), 0.0, 1.0);
+    return (q + s * (r - q) - p).norm();
+  };
+  double out = std::min({from_segment(a, c, d), from_segment(b, c, d), from_segment(c, a, b), from_segment(d, a, b)});
+  const Eigen::Vector3d u = b - a, v = d - c, n = u.cross(v);
+  if (!(n.norm() > 1e-12 * u.norm() * v.norm())) return out;
+  Eigen::Matrix3d m;
+  m << u, -v, n;
+  const Eigen::Vector3d x = m.inverse() * (c - a);
+  if (x(0) >= 0 && x(0) <= 1 && x(1) >= 0 && x(1) <= 1) out = std::min(out, std::abs(x(2)) * n.norm());
+  return out;
+}
+
+// The values of all limits at a pose that can be assembled, in their order but the reach; NaN: judged in one way only.
+class Values {
+ public:
+  Values(const Workspace& w, const mechanics::Machine& machine) : w_(w), machine_(machine), closure_(machine) {}
+
+  std::vector<double> at(std::span<const double> q, const mechanics::Pose& pose) const {
+    std::vector<double> out;
+    const Topology& t = machine_.topology();
+    const std::vector<double> readings = t.readings.empty() ? std::vector<double>() : machine_.readings(q, pose);
+    const std::vector<mechanics::BodyState> bodies = mechanics::bodies_at_rest(machine_, pose);
+    for (const PoseLimit& limit : w_.margins.limits)
+      if (limit.group == PoseLimit::Group::strokes || limit.group == PoseLimit::Group::joints || limit.group == PoseLimit::Group::values)
+        out.push_back(named(limit.name, pose, bodies, readings));
+    for (const mechanics::AskedLimit& asked : w_.request.limits.asked) {
+      if (const auto* angle = std::get_if<mechanics::AskedAngle>(&asked.what)) angles(*angle, pose, bodies, out);
+      if (const auto* distance = std::get_if<mechanics::AskedDistance>(&asked.what))
+        for (const auto& [a, b] : mechanics::pairs_of(machine_, *distance))
+          out.push_back(segment_distance(centre(pose, a.low), centre(pose, a.high), centre(pose, b.low), centre(pose, b.high)));
+    }
+    return out;
+  }
+  // The limits in the same order; those that are judged in one way only are in none.
+  std::vector<const PoseLimit*> limits() const {
+    std::vector<const PoseLimit*> out;
+    using Group = PoseLimit::Group;
+    for (const auto& groups :
+         {std::array{Group::strokes, Group::joints, Group::values}, std::array{Group::angles, Group::distances, Group::distances}})
+      for (const PoseLimit& l : w_.margins.limits)
+        if (std::ranges::find(groups, l.group) != groups.end()) out.push_back(&l);
+    return out;
+  }
+
+ private:
+  Eigen::Vector3d centre(const mechanics::Pose& pose, int joint) const { return machine_.centre(pose, joint); }
+
+  double named(const std::string& name, const mechanics::Pose& pose, const std::vector<mechanics::BodyState>& bodies,
+               const std::vector<double>& readings) const {
+    const Topology& t = machine_.topology();
+    for (std::size_t i = 0; i < t.actuators.size(); ++i)
+      if (t.actuators[i].name == name) return pose.numbers[machine_.layout().actuator(static_cast<int>(i))];
+    for (std::size_t i = 0; i < t.derived.size(); ++i)
+      if (t.derived[i].name == name) return pose.numbers[machine_.layout().derived(static_cast<int>(i))];
+    for (std::size_t i = 0; i < t.readings.size(); ++i)
+      if (t.readings[i].name == name) return readings[i];
+    for (std::size_t j = 0; j < t.joints.size(); ++j)
+      for (std::size_t k = 0; k < t.joints[j].limits.size(); ++k)
+        if (mechanics::motion_name(t.joints[j], k) == name) return closure_.motion(bodies, static_cast<int>(j))[k];
+    return std::nan("");
+  }
+  void angles(const mechanics::AskedAngle& asked, const mechanics::Pose& pose, const std::vector<mechanics::BodyState>& bodies,
+              std::vector<double>& out) const {
+    const Eigen::Vector3d direction = bodies[static_cast<std::size_t>(asked.against.body)].rotation * asked.against.axis;
+    for (const int n : asked.limbs)
+      if (const auto line = mechanics::limb_line(machine_, n)) {
+        const Eigen::Vector3d along = centre(pose, line->to) - centre(pose, line->from);
+        out.push_back(std::atan2(along.cross(direction).norm(), along.dot(direction)));
+      }
+  }
+
+  const Workspace& w_;
+  const mechanics::Machine& machine_;
+  mechanics::Closure closure_;
+};
+
+}  // namespace
+
+DefinitionCheck check_by_definition(const Workspace& w, const mechanics::Machine& machine, int poses) {
+  DefinitionCheck out;
+  const Values values(w, machine);
+  const std::vector<const PoseLimit*> limits = values.limits();
+  for (const PoseLimit& l : w.margins.limits)
+    if (l.group == PoseLimit::Group::pressure || l.group == PoseLimit::Group::condition) out.not_looked_at.push_back(l.name);
+  const std::vector<double> home = home_of(w, machine);
+  const std::size_t recorded = w.set.margins.outputs().size();
+  std::vector<double> margins(w.set.size());
+  program::Evaluator<double> evaluator(w.set.margins);
+  static constexpr std::array primes{2, 3, 5, 7, 11, 13};
+  for (int k = 0; k < poses; ++k) {
+    std::vector<double> q = w.scan.at;
+    const bool local = w.home_inside && k % 2 == 1;
+    std::size_t dimension = 0;
+    for (const scan::Axis& a : w.scan.points) {
+      const auto i = static_cast<std::size_t>(a.input);
+      const double u = halton(k + 1, primes[dimension++ % primes.size()]);
+      q[i] = local ? home[i] + around_home * (2 * u - 1) * (a.to - a.from) : a.from + u * (a.to - a.from);
+    }
+    if (!w.scan.orientations.empty()) {
+      const auto& o = w.scan.orientations[static_cast<std::size_t>(k) * 7919 % w.scan.orientations.size()];
+      for (std::size_t i = 0; i < o.size(); ++i) q[static_cast<std::size_t>(w.scan.turned[i])] = o[i];
+    }
+    const mechanics::Pose pose = machine.pose(q);
+    bool accepted = pose.status == PM_OK, near = pose.status != PM_OK && pose.status != PM_UNREACHABLE;
+    if (accepted) {
+      near = pose.numbers[0] < near_an_end;
+      const std::vector<double> at = values.at(q, pose);
+      for (std::size_t l = 0; l < limits.size(); ++l) {
+        const double min = limits[l]->min, max = limits[l]->max;
+        near = near || std::abs(at[l] - min) < near_an_end || std::abs(at[l] - max) < near_an_end || std::isnan(at[l]);
+        accepted = accepted && at[l] >= min && at[l] <= max;
+      }
+    }
+    if (near) {
+      ++out.near;
+      continue;
+    }
+    evaluator.run(q, {margins.data(), recorded});
+    bool by_margins = true;
+    for (std::size_t m = 0; m < recorded; ++m) by_margins = by_margins && margins[m] >= -w.set.rounding[m];
+    // A late limit on a reading is compared; the others are not looked at.
+    if (by_margins && w.set.late.size > 0) {
+      w.set.late.judge(1, q.data(), margins.data() + recorded);
+      for (std::size_t m = recorded; m < margins.size(); ++m)
+        if (w.margins.limits[static_cast<std::size_t>(w.margins.margins[m].limit)].group == PoseLimit::Group::values)
+          by_margins = by_margins && margins[m] >= -w.set.rounding[m];
+    }
+    ++out.poses;
+    out.accepted += accepted ? 1 : 0;
+    if (by_margins == accepted) continue;
+    ++out.differing;
+    if (!out.first.empty()) continue;
+    for (std::size_t i = 0; i < q.size(); ++i)
+      out.first += fmt::format("{}{} = {:.9g}", i == 0 ? "" : ", ", machine.topology().coordinates[i].name, q[i]);
+  }
+  return out;
+}
+
+}  // namespace pmreport::analysis

@@ -1,0 +1,168 @@
+#include <core/analysis/workspace/workspace.hpp>
+
+#include <core/analysis/workspace/scan_of.hpp>
+#include <core/text/text.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pmreport::analysis {
+
+namespace {
+
+constexpr double most_poses = 1e11;                        // that a grid is begun with
+constexpr std::size_t most_memory = std::size_t{2} << 30;  // [bytes] of what a grid keeps
+constexpr double told_before = 60;                         // [s] a scan that takes longer is told with its estimate
+
+bool asks(const WorkspaceRequest& r, ScanMethod m) { return std::ranges::find(r.methods, m) != r.methods.end(); }
+
+// FNV-1a over all that decides what a scan counts.
+class Hash {
+ public:
+  template <class T>
+  Hash& operator<<(const T& x) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    const auto* bytes = reinterpret_cast<const unsigned char*>(&x);
+    for (std::size_t i = 0; i < sizeof(T); ++i) value_ = (value_ ^ bytes[i]) * 0x100000001b3ULL;
+    return *this;
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325ULL;
+};
+
+std::uint64_t hash_of(const Workspace& w, const scan::GridOptions& options) {
+  Hash h;
+  for (const program::Step& s : w.set.margins.steps()) h << s.operation << s.a << s.b << s.c << s.constant;
+  for (const int o : w.set.margins.outputs()) h << o;
+  for (const double x : w.set.rounding) h << x;
+  for (const mechanics::PoseLimit& l : w.margins.limits) h << l.group << l.min << l.max;
+  for (const double x : w.scan.at) h << x;
+  for (const scan::Axis& a : w.scan.points) h << a.input << a.from << a.to << a.count;
+  for (const auto& o : w.scan.orientations)
+    for (const double x : o) h << x;
+  h << options.reasons << options.keep_poses << (options.sign != nullptr);
+  return h.value();
+}
+
+// The scan with its ranges, told by how far it is and how long it will take.
+scan::Watch watch_of(const Progress& progress, std::string what) {
+  scan::Watch out;
+  out.done = [&progress, what](double share) { progress.say(fmt::format("{}: {:.0f} %", what, 100 * share)); };
+  out.stop_if_asked = progress.stop_if_asked;
+  return out;
+}
+
+void count_the_grid(Workspace& w, const mechanics::Machine& machine, const Progress& progress) {
+  scan::GridOptions options;
+  options.reasons = w.request.reasons;
+  options.keep_poses = w.request.one_sheet;
+  program::Program sign;
+  if (w.request.one_sheet) {
+    sign = mechanics::determinant_program(machine);
+    options.sign = &sign;
+  }
+  double poses = static_cast<double>(w.scan.orientation_count());
+  for (const scan::Axis& a : w.scan.points) poses *= static_cast<double>(a.count);
+  if (poses > most_poses)
+    throw ScanTooLarge(
+        fmt::format("the grid has {:.3g} poses, and at most {:.0e} are counted: give it fewer values, or use method = "
+                    "\"proof\" or \"monte-carlo\"",
+                    poses, most_poses));
+  if (const std::size_t memory = scan::memory_needed(w.set, w.scan, options); memory > most_memory)
+    throw ScanTooLarge(fmt::format("the grid would keep {} MiB, and {} MiB are allowed: give it fewer points{}", memory >> 20,
+                                   most_memory >> 20, w.request.one_sheet ? ", or leave out one_sheet" : ""));
+  if (const double seconds = scan::seconds_needed(w.set, w.scan, options); seconds > told_before)
+    progress.say(fmt::format("workspace: {:.3g} poses, about {:.0f} min at most", poses, std::ceil(seconds / 60)));
+  if (!progress.checkpoints.empty())
+    options.checkpoint =
+        scan::Checkpoint{progress.checkpoints / fmt::format("grid-{:016x}", hash_of(w, options)), progress.resume, hash_of(w, options)};
+  w.grid = scan::count_grid(w.set, w.scan, options, watch_of(progress, "workspace, grid"));
+  std::vector<std::size_t> counts;
+  for (const scan::Axis& a : w.scan.points) counts.push_back(a.count);
+  w.components = scan::components(counts, w.grid->accepted_at);
+  if (!w.request.one_sheet) return;
+  std::vector<std::size_t> turned;
+  for (const ScanRange& r : w.request.orientations) turned.push_back(r.count);
+  w.sheet = scan::sheet_of(counts, turned, *w.grid, nearest_to_home(w, machine));
+}
+
+void prove(Workspace& w, const Progress& progress) {
+  if (w.set.late.size > 0) {
+    std::vector<std::string> names;
+    for (std::size_t m = w.margins.margins.size() - w.margins.late; m < w.margins.margins.size(); ++m) {
+      const std::string& name = w.margins.limits[static_cast<std::size_t>(w.margins.margins[m].limit)].name;
+      if (names.empty() || names.back() != name) names.push_back(name);
+    }
+    w.not_proved = fmt::format("no proof looks at {}: readings, pressure angles and condition numbers are counted on grids alone",
+                               listed(names, "and"));
+    return;
+  }
+  scan::VolumeOptions options;
+  options.gap = w.request.gap, options.seconds = w.request.seconds;
+  if (w.scan.orientations.empty()) {
+    w.proof = scan::prove_volume(w.set, w.scan, options, watch_of(progress, "workspace, proof"));
+    return;
+  }
+  for (const std::uint64_t need : w.request.at_least) {
+    options.need = static_cast<std::size_t>(need);
+    w.proof_at_least.push_back(scan::prove_volume(w.set, w.scan, options, watch_of(progress, fmt::format("workspace, proof, {}", need))));
+  }
+  w.proof = w.proof_at_least.front();
+}
+
+void find_safe_poses(Workspace& w, const mechanics::Machine& machine, const Progress& progress) {
+  if (!w.home_inside || w.set.late.size > 0) return;
+  scan::Scan around = w.scan;
+  around.orientations.clear(), around.turned.clear();
+  around.at = home_of(w, machine);
+  for (const ScanRange& r : w.request.orientations) around.points.push_back({r.coordinate, r.from, r.to, r.count});
+  std::erase_if(around.points, [](const scan::Axis& a) { return a.from == a.to; });
+  std::vector<double> centre;
+  scan::SafeOptions options;
+  for (const scan::Axis& a : around.points) {
+    const double at = around.at[static_cast<std::size_t>(a.input)], low = std::min(a.from, a.to), high = std::max(a.from, a.to);
+    if (!(low < at && at < high)) {
+      w.safe_box = scan::SafeBox{}, w.safe_box->why = "home lies outside the scanned range";
+      return;
+    }
+    centre.push_back(at);
+    options.proportions.push_back(0.5 * (high - low));
+  }
+  if (!w.request.proportions.empty()) options.proportions = w.request.proportions;
+  if (centre.empty()) return;
+  w.safe_axes = around.points;
+  w.safe_proportions = options.proportions;
+  w.safe_box = scan::safe_box(w.set, around, centre, options, watch_of(progress, "workspace, safe box"));
+  w.safe_ball = scan::safe_ball(w.set, around, centre, options, watch_of(progress, "workspace, safe ball"));
+}
+
+}  // namespace
+
+Workspace workspace(const mechanics::Machine& machine, const WorkspaceRequest& request, const Progress& progress) {
+  Workspace w;
+  w.request = completed(request, machine);
+  std::string why;
+  const std::optional<mechanics::PoseMargins> margins = mechanics::pose_margins(machine, request.limits, &why);
+  if (!margins) throw NoProgram("a workspace is scanned by the mechanism's recorded geometry, and there is none: " + why);
+  w.margins = *margins;
+  w.set = set_of(w.margins);
+  w.scan = scan_of(w.request, machine);
+  w.unit = unit_of(w.scan, machine);
+  judge_home(w, machine);
+  progress.stop_if_asked();
+  if (asks(w.request, ScanMethod::proof)) prove(w, progress);
+  if (asks(w.request, ScanMethod::grid)) count_the_grid(w, machine, progress);
+  if (asks(w.request, ScanMethod::monte_carlo)) {
+    scan::MonteCarloOptions options{w.request.poses, w.request.seed, w.request.reasons};
+    const std::size_t need = w.request.at_least.empty() ? 1 : static_cast<std::size_t>(w.request.at_least.front());
+    w.estimate = scan::monte_carlo(w.set, w.scan, need, options, watch_of(progress, "workspace, Monte Carlo"));
+  }
+  if (w.request.safe) find_safe_poses(w, machine, progress);
+  return w;
+}
+
+}  // namespace pmreport::analysis

@@ -1,0 +1,40 @@
+// Limits on what no program gives: readings of the source, pressure angles, condition numbers.
+//
+// The output twist of actuator i is the platform's twist where it moves with unit rate and all others are held. With the actuators' values
+// r(q), A = dr/dq, the coordinates then move with column i of A^-1. The pressure angle of a telescopic drive is the acute angle between its
+// line f and the velocity v, under that twist, of the joint at its far end from that at its near end, which of a leg on the base stands
+// still:
+//     cos = |f . v| / |v|,   0 where v = 0
+// (Glazunov et al. 2008; definitions of transmission as in Takeda and Funabashi 1995).
+#pragma once
+
+#include <core/mechanics/model/machine.hpp>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pmreport::mechanics {
+
+// Whether every actuator is a telescopic drive of a limb that is a line; else `why` gets a sentence.
+bool pressure_known(const Machine& machine, std::string* why = nullptr);
+
+class LateLimits {
+ public:
+  explicit LateLimits(const Machine& machine);
+  ~LateLimits();
+  // Ends that are infinite make no margin; a lower end comes first.
+  void add_reading(int reading, double min, double max);
+  void add_pressure(double min, double max);
+  void add_condition(double min, double max);
+  // Of `count` poses, input i of pose k at [i * count + k]: margin m to [m * count + k], in the order in which they were added. NaN where a
+  // number does not exist. May be called by several threads; the machine must live as long.
+  std::function<void(std::size_t count, const double* poses, double* out)> judge() const;
+
+ private:
+  struct Work;
+  std::shared_ptr<Work> work_;
+};
+
+}  // namespace pmreport::mechanics

@@ -1,0 +1,104 @@
+#include <core/mechanics/workspace/margin_recorder.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pmreport::mechanics {
+
+namespace {
+
+// The digits of a number that the geometry gives are good to about this, relative to one metre, or one radian.
+constexpr double digits = 1e-12;
+// Of a number of that size itself, such as a cosine.
+constexpr double least_rounding = 1e-15;
+
+Recorded least_of(const Recorded& a, const Recorded& b) { return choose(a < b, a, b); }
+Recorded most_of(const Recorded& a, const Recorded& b) { return choose(a < b, b, a); }
+
+// v >= min by sine and cosine; see the header.
+Recorded at_least(const Recorded& s, const Recorded& c, double min) {
+  const Recorded beyond = s * std::cos(min) - c * std::sin(min);
+  return min <= 0 ? most_of(s, beyond) : least_of(s, beyond);
+}
+
+double scale_of(double end) { return std::max(1.0, std::abs(end)); }
+
+}  // namespace
+
+int MarginRecorder::begin(PoseLimit limit) {
+  out_.limits.push_back(std::move(limit));
+  return static_cast<int>(out_.limits.size()) - 1;
+}
+
+void MarginRecorder::margin(int limit, bool upper, const Recorded& value, double rounding) {
+  out_.margins.push_back(
+      {limit, upper, out_.limits[static_cast<std::size_t>(limit)].name + (upper ? ">" : "<"), std::max(rounding, least_rounding)});
+  outputs.push_back(value);
+}
+
+void MarginRecorder::add_reach() {
+  const int limit = begin({PoseLimit::Group::reach, "reach", "the mechanism can be assembled", "", 0, open_end});
+  out_.margins.push_back({limit, false, "reach", 0});
+  outputs.push_back(recorder_.output(0));
+}
+
+void MarginRecorder::add_output(PoseLimit asked, std::size_t o) {
+  using program::Operation;
+  const int limit = begin(std::move(asked));
+  const double min = out_.limits.back().min, max = out_.limits.back().max, pi = std::numbers::pi;
+  const int number = start_.outputs()[o];
+  const program::Step& s = step(number);
+  const Recorded value = recorder_.step(number);
+  const bool lower = std::isfinite(min), upper = std::isfinite(max);
+  if (s.operation == Operation::sqrt && (!upper || max >= 0)) {
+    const Recorded square = recorder_.step(s.a);
+    // A square root is never below zero.
+    if (lower && min >= 0) margin(limit, false, square - min * min, 2 * digits * min * scale_of(min));
+    if (upper) margin(limit, true, max * max - square, 2 * digits * max * scale_of(max));
+    return;
+  }
+  if (s.operation == Operation::acos) {
+    const Recorded cosine = recorder_.step(s.a);
+    if (lower && min >= 0 && min <= pi) margin(limit, false, std::cos(min) - cosine, digits * std::sin(min));
+    if (upper && max >= 0 && max <= pi) margin(limit, true, cosine - std::cos(max), digits * std::sin(max));
+    if ((!lower || min <= pi) && (!upper || max >= 0)) return;
+  }
+  // -atan2(a, b) is atan2(-a, b), but on the cut, where a limit lies nowhere.
+  const bool turned = s.operation == Operation::negate && step(s.a).operation == Operation::atan2;
+  if (turned || s.operation == Operation::atan2) {
+    const program::Step& angle = turned ? step(s.a) : s;
+    const Recorded c = recorder_.step(angle.b), plain = recorder_.step(angle.a), sine = turned ? -plain : plain;
+    if (lower && std::abs(min) < pi) margin(limit, false, at_least(sine, c, min), digits);
+    if (upper && std::abs(max) < pi) margin(limit, true, at_least(-sine, c, -max), digits);
+    if ((!lower || min <= -pi || std::abs(min) < pi) && (!upper || max >= pi || std::abs(max) < pi)) return;
+  }
+  if (lower) margin(limit, false, value - min, digits * scale_of(min));
+  if (upper) margin(limit, true, max - value, digits * scale_of(max));
+}
+
+void MarginRecorder::add_angle(PoseLimit asked, const Recorded& product, const Recorded& lengths) {
+  const int limit = begin(std::move(asked));
+  const double min = out_.limits.back().min, max = out_.limits.back().max, pi = std::numbers::pi;
+  if (min > 0 && std::isfinite(min))
+    margin(limit, false, lengths * std::cos(std::min(min, pi)) - product, digits * std::sin(std::min(min, pi)));
+  if (max < pi) margin(limit, true, product - lengths * std::cos(std::max(max, 0.0)), digits * std::sin(std::max(max, 0.0)));
+}
+
+void MarginRecorder::add_square(PoseLimit asked, const Recorded& square) {
+  const int limit = begin(std::move(asked));
+  const double min = out_.limits.back().min, max = out_.limits.back().max;
+  if (min > 0 && std::isfinite(min)) margin(limit, false, square - min * min, 2 * digits * min * scale_of(min));
+  if (std::isfinite(max)) margin(limit, true, max * max - square, 2 * digits * max * scale_of(max));
+}
+
+void MarginRecorder::add_late(PoseLimit asked, bool lower, bool upper) {
+  const int limit = begin(std::move(asked));
+  for (const bool above : {false, true})
+    if (above ? upper : lower) {
+      out_.margins.push_back({limit, above, out_.limits.back().name + (above ? ">" : "<"), digits});
+      ++out_.late;
+    }
+}
+
+}  // namespace pmreport::mechanics

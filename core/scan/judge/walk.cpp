@@ -1,0 +1,208 @@
+#include <core/scan/judge/walk.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace pmreport::scan {
+
+namespace {
+
+constexpr std::size_t together = 64;        // blocks that intervals look at in one call
+constexpr std::size_t fewest = 512;         // poses of a block that is not halved any more
+constexpr std::size_t fewest_points = 256;  // and points: fewer do not pay for what each orientation costs beside them
+constexpr std::size_t most_points = 4096;   // that are judged in one go: they stay in the second-level cache
+
+}  // namespace
+
+Walk::Walk(const Plan& plan, bool prune, PoseBits bits)
+    : plan_(plan), prune_(prune), bits_(bits), each_(bits.accepted != nullptr || !plan.sign.outputs().empty()), judge_(plan) {
+  for (const Stage& s : plan.stages) {
+    if (prune) boxes_.emplace_back(s.program);
+    inputs_of_.emplace_back();
+    for (const program::Step& step : s.program.steps())
+      if (step.operation == program::Operation::input) inputs_of_.back().push_back(step.a);
+  }
+  for (const Axis& a : plan.scan.points) {
+    values_.emplace_back();
+    for (std::size_t k = 0; k < a.count; ++k) values_.back().push_back(a.value(k));
+    whole_.begin.push_back(0);
+    whole_.end.push_back(a.count);
+  }
+}
+
+std::size_t Walk::turned(const Block& b) const {
+  const Orientations::Node& n = orientations_->node(b.node);
+  return n.end - n.begin;
+}
+
+Found Walk::run(const Tile& tile, const Orientations& orientations, int node) {
+  orientations_ = &orientations;
+  root_ = &tile;
+  posed_.reset();
+  found_ = {empty_tally(plan_.set.size(), plan_.reasons), std::vector<std::uint32_t>(tile.size(), 0), 0, 0};
+  open_.push_back({tile, node, std::vector<Verdict>(plan_.margins, Verdict::open)});
+  found_.tally.poses = poses(open_.back());
+  std::vector<Block> now;
+  while (!open_.empty()) {
+    const std::size_t n = std::min(together, open_.size());
+    now.assign(std::make_move_iterator(open_.end() - static_cast<std::ptrdiff_t>(n)), std::make_move_iterator(open_.end()));
+    open_.resize(open_.size() - n);
+    if (prune_) decide(now);
+    for (Block& b : now) {
+      if (finish(b)) continue;
+      if (widest(b) < 0)
+        judge(b);
+      else
+        halve(std::move(b));
+    }
+  }
+  return std::move(found_);
+}
+
+// Stage by stage, on blocks that have open margins in it. A block that is refused for good is not looked at again.
+void Walk::decide(std::span<Block> blocks) {
+  const auto verdict = [](const Block& b, int m) { return b.verdicts[static_cast<std::size_t>(m)]; };
+  const auto refused = [&](const Block& b) {
+    return plan_.reasons ? verdict(b, 0) == Verdict::refused
+                         : std::ranges::any_of(b.verdicts, [](Verdict v) { return v == Verdict::refused; });
+  };
+  std::size_t alive = blocks.size();
+  for (std::size_t s = 0; s < plan_.stages.size() && alive > 0; ++s) {
+    const Stage& stage = plan_.stages[s];
+    const auto looked_at = std::partition(blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(alive), [&](const Block& b) {
+      return std::ranges::any_of(stage.margins, [&](int m) { return verdict(b, m) == Verdict::open; });
+    });
+    const auto n = static_cast<std::size_t>(looked_at - blocks.begin());
+    if (n == 0) continue;
+    bound(blocks.first(n), s);
+    for (std::size_t i = 0; i < stage.margins.size(); ++i)
+      for (std::size_t k = 0; k < n; ++k) {
+        const program::Bounds& margin = out_[i * n + k];
+        Verdict& v = blocks[k].verdicts[static_cast<std::size_t>(stage.margins[i])];
+        if (!margin.bounded()) continue;
+        if (margin.low > stage.slack[i]) v = Verdict::kept;
+        if (margin.high < -stage.slack[i]) v = Verdict::refused;
+      }
+    alive = static_cast<std::size_t>(
+        std::partition(blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(alive), [&](const Block& b) { return !refused(b); }) -
+        blocks.begin());
+  }
+}
+
+// Bounds of a stage's margins over each block, into out_.
+void Walk::bound(std::span<const Block> blocks, std::size_t stage) {
+  const std::size_t n = blocks.size();
+  in_.resize(std::max(in_.size(), plan_.width() * n));
+  out_.resize(std::max(out_.size(), plan_.stages[stage].margins.size() * n));
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto hull = orientations_->bounds(blocks[k].node);
+    for (const int i : inputs_of_[stage]) in_[static_cast<std::size_t>(i) * n + k] = hull[static_cast<std::size_t>(i)];
+  }
+  for (std::size_t a = 0; a < values_.size(); ++a) {
+    program::Bounds* in = in_.data() + static_cast<std::size_t>(plan_.scan.points[a].input) * n;
+    for (std::size_t k = 0; k < n; ++k) {
+      const double first = values_[a][blocks[k].tile.begin[a]], last = values_[a][blocks[k].tile.end[a] - 1];
+      in[k] = {std::min(first, last), std::max(first, last)};
+    }
+  }
+  boxes_[stage].run(n, in_.data(), out_.data());
+}
+
+// Adds what a block comes to that is decided as one.
+bool Walk::finish(const Block& b) {
+  const std::size_t n = poses(b);
+  const auto refused = std::ranges::find(b.verdicts, Verdict::refused);
+  if (!plan_.reasons && refused != b.verdicts.end()) return true;
+  if (b.verdicts.front() == Verdict::refused) {
+    found_.tally.first.front() += n;
+    found_.tally.any.front() += n;
+    return true;
+  }
+  if (plan_.set.late.size > 0 || std::ranges::find(b.verdicts, Verdict::open) != b.verdicts.end()) return false;
+  if (refused == b.verdicts.end()) {
+    if (each_) return false;
+    accept(b);
+    return true;
+  }
+  found_.tally.first[static_cast<std::size_t>(refused - b.verdicts.begin())] += n;
+  for (std::size_t m = 0; m < b.verdicts.size(); ++m)
+    if (b.verdicts[m] == Verdict::refused) found_.tally.any[m] += n;
+  return true;
+}
+
+void Walk::accept(const Block& b) {
+  const auto n = static_cast<std::uint32_t>(turned(b));
+  found_.tally.accepted += poses(b);
+  each_point(b.tile, [&](std::size_t, std::span<const std::size_t> at) { found_.accepted[root_->place(at)] += n; });
+}
+
+// What a block is halved across: a point axis, the number of them for the orientation; -1: its poses are judged one by one.
+int Walk::widest(const Block& b) const {
+  const std::size_t axes = values_.size(), points = b.tile.size(), orientations = turned(b);
+  if (!prune_) return points > most_points ? static_cast<int>(b.tile.longest()) : -1;
+  if (points * orientations <= fewest || (orientations == 1 && points <= fewest)) return -1;
+  int out = -1;
+  double most = -1;
+  if (points > fewest_points)
+    for (std::size_t a = 0; a < axes; ++a) {
+      const std::size_t n = b.tile.end[a] - b.tile.begin[a];
+      if (n < 2) continue;
+      const double wide = plan_.weights[a] * static_cast<double>(n - 1) / static_cast<double>(plan_.scan.points[a].count - 1);
+      if (wide > most) most = wide, out = static_cast<int>(a);
+    }
+  if (orientations > 1 && plan_.weights[axes] * orientations_->node(b.node).share > most) out = static_cast<int>(axes);
+  return out;
+}
+
+void Walk::halve(Block b) {
+  const auto a = static_cast<std::size_t>(widest(b));
+  Block other = b;
+  if (a == values_.size()) {
+    b.node = orientations_->node(b.node).children;
+    other.node = b.node + 1;
+  } else {
+    const std::size_t middle = b.tile.begin[a] + (b.tile.end[a] - b.tile.begin[a]) / 2;
+    b.tile.end[a] = middle;
+    other.tile.begin[a] = middle;
+  }
+  open_.push_back(std::move(b));
+  open_.push_back(std::move(other));
+}
+
+void Walk::judge(const Block& b) {
+  if (posed_ != b.tile) pose_points(b.tile);
+  const Orientations::Node& node = orientations_->node(b.node);
+  const std::size_t n = places_.size(), orientations = plan_.scan.orientation_count();
+  for (std::size_t o = node.begin; o < node.end; ++o) {
+    const auto accepted = judge_.run(n, points_.data(), orientations_->others(o), b.verdicts, found_.tally);
+    for (const std::uint32_t k : accepted) ++found_.accepted[places_[k]];
+    if (!each_) continue;
+    const auto pose = [&](std::uint32_t k) { return numbers_[k] * orientations + orientations_->number(o); };
+    if (bits_.accepted != nullptr)
+      for (const std::uint32_t k : accepted) PoseBits::mark(bits_.accepted, pose(k));
+    if (plan_.sign.outputs().empty()) continue;
+    const auto signs = judge_.signs();
+    for (std::size_t i = 0; i < signs.size(); ++i) {
+      found_.positive += signs[i] > 0;
+      found_.negative += signs[i] < 0;
+      if (bits_.positive != nullptr && signs[i] > 0) PoseBits::mark(bits_.positive, pose(accepted[i]));
+      if (bits_.negative != nullptr && signs[i] < 0) PoseBits::mark(bits_.negative, pose(accepted[i]));
+    }
+  }
+}
+
+// Blocks that differ in their orientations alone stand one after another, and share this.
+void Walk::pose_points(const Tile& tile) {
+  const std::size_t axes = values_.size(), n = tile.size();
+  posed_ = tile;
+  points_.resize(axes * n);
+  places_.resize(n);
+  numbers_.resize(n);
+  each_point(tile, [&](std::size_t k, std::span<const std::size_t> at) {
+    for (std::size_t a = 0; a < axes; ++a) points_[plan_.slots[a] * n + k] = values_[a][at[a]];
+    places_[k] = root_->place(at);
+    numbers_[k] = whole_.place(at);
+  });
+}
+
+}  // namespace pmreport::scan

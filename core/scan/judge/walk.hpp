@@ -1,0 +1,69 @@
+// All poses of a block of a grid, judged: as one where intervals decide, else by halves, at last pose by pose.
+#pragma once
+
+#include <core/program/boxes.hpp>
+#include <core/scan/judge/judge.hpp>
+#include <core/scan/judge/orientations.hpp>
+#include <core/scan/judge/tile.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace pmreport::scan {
+
+// What a walk found, and of each point of its tile, the last axis fastest, how many orientations are accepted.
+struct Found {
+  Tally tally;
+  std::vector<std::uint32_t> accepted;
+  std::uint64_t positive = 0, negative = 0;  // accepted poses by the sign
+};
+
+// Keeps its buffers: one a thread. The counts are the same with and without pruning: intervals contain what is computed for each pose, and
+// a margin is decided by them only where all of it is beyond its rounding.
+class Walk {
+ public:
+  // `bits`: where single poses are marked.
+  Walk(const Plan& plan, bool prune, PoseBits bits);
+
+  Found run(const Tile& tile, const Orientations& orientations, int node);
+
+ private:
+  struct Block {
+    Tile tile;
+    int node;
+    std::vector<Verdict> verdicts;
+  };
+  std::size_t poses(const Block& b) const { return b.tile.size() * turned(b); }
+  std::size_t turned(const Block& b) const;
+  void decide(std::span<Block> blocks);
+  void bound(std::span<const Block> blocks, std::size_t stage);
+  bool finish(const Block& block);
+  void accept(const Block& block);
+  int widest(const Block& block) const;
+  void halve(Block block);
+  void judge(const Block& block);
+  void pose_points(const Tile& tile);
+
+  const Plan& plan_;
+  const bool prune_;
+  const PoseBits bits_;
+  const bool each_;  // accepted poses are looked at one by one
+  Judge judge_;
+  std::vector<program::Boxes> boxes_;        // of each stage
+  std::vector<std::vector<int>> inputs_of_;  // of each stage: inputs that it reads
+  std::vector<std::vector<double>> values_;  // of each point axis
+  Tile whole_;                               // the grid
+
+  const Orientations* orientations_ = nullptr;
+  const Tile* root_ = nullptr;
+  Found found_;
+  std::vector<Block> open_;
+  std::vector<program::Bounds> in_, out_;
+  std::optional<Tile> posed_;  // whose points stand in points_
+  std::vector<double> points_;
+  std::vector<std::size_t> places_, numbers_;  // of each of these points: within the root tile; within the grid
+};
+
+}  // namespace pmreport::scan

@@ -1,0 +1,155 @@
+// pmreport limits SCENARIO: the safe box around home as settings of controllers.
+#include <reports/program/commands.hpp>
+#include <reports/program/terminal.hpp>
+#include <reports/section/kinds.hpp>
+#include <reports/section/workspace/options.hpp>
+#include <reports/section/workspace/workspace.hpp>
+
+#include <core/analysis/workspace/workspace.hpp>
+#include <core/text/text.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace pmreport::program {
+
+namespace {
+
+using analysis::Workspace;
+
+// Rounded towards home, so that what is printed is proved too.
+double inward(double x, double step, bool upper) { return (upper ? std::floor(x / step) : std::ceil(x / step)) * step; }
+
+struct Side {
+  const Coordinate* coordinate;
+  double low, high;  // in `unit`
+  std::string unit;  // "mm", "deg"
+};
+
+std::vector<Side> sides_of(const Workspace& w, const mechanics::Machine& machine) {
+  constexpr double step = 1e-3;  // a micrometre, a thousandth of a degree
+  std::vector<Side> out;
+  for (std::size_t i = 0; i < w.safe_axes.size(); ++i) {
+    const Coordinate& c = machine.topology().coordinates[static_cast<std::size_t>(w.safe_axes[i].input)];
+    const bool length = c.sense() == Sense::linear;
+    const double per_si = length ? 1e3 : 180 / std::numbers::pi;
+    out.push_back({&c, inward(w.safe_box->sides[i].low * per_si, step, false), inward(w.safe_box->sides[i].high * per_si, step, true),
+                   length ? "mm" : "deg"});
+  }
+  return out;
+}
+
+void print_toml(const Workspace& w, const std::vector<Side>& sides) {
+  fmt::print("[safe_limits]  # every pose with all coordinates within these keeps all limits; proved\n");
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    fmt::print("{} = [\"{:.3f} {}\", \"{:.3f} {}\"]  # {}; {}\n", sides[i].coordinate->name, sides[i].low, sides[i].unit, sides[i].high,
+               sides[i].unit, section::margin_words(w, w.safe_box->low_margin[i]), section::margin_words(w, w.safe_box->high_margin[i]));
+}
+
+// Which letter of the controller a coordinate is: x, y and z are themselves, others what --axes says.
+std::string letter_of(const Side& side, const std::map<std::string, std::string>& axes) {
+  const std::string& name = side.coordinate->name;
+  if (const auto found = axes.find(name); found != axes.end()) return found->second;
+  return name == "x" || name == "y" || name == "z" ? name : std::string();
+}
+
+// The soft limits of LinuxCNC are pins that may be set while it runs.
+void print_linuxcnc(const std::vector<Side>& sides, const std::map<std::string, std::string>& axes) {
+  fmt::print(
+      "# Soft limits of the axes, machine units mm and degrees: every pose with all of them within these is proved to keep all limits.\n");
+  for (const Side& s : sides) {
+    const std::string letter = letter_of(s, axes);
+    if (letter.empty())
+      fmt::print("# {} from {:.3f} to {:.3f} {}: no axis is known for it; give --axes {}=c, or whichever it is\n", s.coordinate->name,
+                 s.low, s.high, s.unit, s.coordinate->name);
+    else
+      fmt::print("setp ini.{0}.min_limit {1:.3f}\nsetp ini.{0}.max_limit {2:.3f}\n", letter, s.low, s.high);
+  }
+}
+
+void print_klipper(const std::vector<Side>& sides, const std::map<std::string, std::string>& axes) {
+  fmt::print("# Positions in mm: every pose with all of them within these is proved to keep all limits.\n");
+  for (const Side& s : sides) {
+    const std::string letter = letter_of(s, axes);
+    if (letter != "x" && letter != "y" && letter != "z")
+      fmt::print("# {} from {:.3f} to {:.3f} {}: Klipper has no axis for it, and it must be kept by other means\n", s.coordinate->name,
+                 s.low, s.high, s.unit);
+    else
+      fmt::print("[stepper_{}]\nposition_min: {:.3f}\nposition_max: {:.3f}\n", letter, s.low, s.high);
+  }
+}
+
+// "alpha=c,beta=a": letters by the names of coordinates. Nothing, told, where it is none of that.
+std::optional<std::map<std::string, std::string>> axes_of(const std::string& text, const Topology& topology) {
+  std::map<std::string, std::string> out;
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    const std::string part = text.substr(at, end - at);
+    const std::size_t equals = part.find('=');
+    const std::string name = part.substr(0, equals), letter = equals == std::string::npos ? "" : part.substr(equals + 1);
+    const bool known = std::ranges::any_of(topology.coordinates, [&](const Coordinate& c) { return c.name == name; });
+    if (!known || letter.size() != 1 || std::string("xyzabcuvw").find(letter) == std::string::npos) {
+      tell("error: --axes: expected coordinates with letters of axes, such as alpha=c,beta=a; seen {}\n", in_quotes(part));
+      return std::nullopt;
+    }
+    out[name] = letter;
+    at = end + 1;
+  }
+  return out;
+}
+
+}  // namespace
+
+int limits(const Options& options, bool (*stop)()) {
+  const host::Catalog catalog(host::search_folders(options.plugin_path));
+  tell_refused(catalog);
+  const scenario::Loaded loaded = scenario::load(options.scenario, source_of(catalog), section::kinds());
+  const auto axes = axes_of(options.axes, loaded.machine->topology());
+  if (!axes) return bad_scenario;
+  Terminal terminal(options.quiet);
+  const section::Progress progress{[&](const std::string& what) { terminal.say(what); },
+                                   [&] {
+                                     if (stop()) throw document::Interrupted("interrupted");
+                                   }};
+  bool asked = false;
+  int status = all_well;
+  for (const scenario::Section& s : loaded.scenario.sections) {
+    const auto* own = dynamic_cast<const section::WorkspaceOptions*>(s.options.get());
+    if (own == nullptr) continue;
+    asked = true;
+    analysis::WorkspaceRequest request = own->request;
+    request.methods.clear();
+    request.safe = true;
+    const Workspace w = analysis::workspace(*loaded.machine, request, progress);
+    terminal.clear();
+    if (!w.safe_box || !w.safe_box->found) {
+      const std::string why = !w.home_inside        ? fmt::format("home lies outside: {} is broken there", w.home_refused_by)
+                              : w.set.late.size > 0 ? "a limit on an index or a reading cannot be proved over a box"
+                              : w.safe_box          ? w.safe_box->why
+                                                    : "no coordinate has a range";
+      tell("{}:{}: there is no safe box around home: {}\n", options.scenario, s.line, why);
+      status = gate_failed;
+      continue;
+    }
+    const std::vector<Side> sides = sides_of(w, *loaded.machine);
+    if (options.format == "linuxcnc")
+      print_linuxcnc(sides, *axes);
+    else if (options.format == "klipper")
+      print_klipper(sides, *axes);
+    else
+      print_toml(w, sides);
+  }
+  if (asked) return status;
+  tell(
+      "error: {}: expected a section \"workspace\", whose scan and limits tell what is safe, and there is none\n"
+      "       add [[section]], kind = \"workspace\" and scan = {{ {} = [\"...\", \"...\"] }}\n",
+      options.scenario, loaded.machine->topology().coordinates.front().name);
+  return bad_scenario;
+}
+
+}  // namespace pmreport::program

@@ -1,0 +1,186 @@
+// Slices, pictures and files of a workspace.
+#include <reports/section/workspace/export_mesh.hpp>
+#include <reports/section/workspace/export_npy.hpp>
+#include <reports/section/workspace/index_map.hpp>
+#include <reports/section/workspace/slice.hpp>
+#include <reports/section/workspace/surface.hpp>
+#include <reports/section/workspace/workspace.hpp>
+
+#include <core/analysis/workspace/scan_of.hpp>
+#include <core/text/text.hpp>
+#include <reports/section/common/stage.hpp>
+#include <reports/section/common/words.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pmreport::section {
+
+namespace {
+
+constexpr std::size_t slice_points = 121, surface_points = 49;  // along an axis
+constexpr double deg = std::numbers::pi / 180;
+constexpr scene::Color membrane{0.10f, 0.45f, 0.75f, 0.28f};
+
+// A scan over some of the axes, for pictures: evenly, whatever the section counts.
+scan::Scan part_of(const Workspace& w, const std::vector<double>& at, const std::vector<std::size_t>& axes, std::size_t points) {
+  scan::Scan out;
+  out.at = at;
+  for (const std::size_t a : axes) {
+    scan::Axis axis = w.scan.points[a];
+    if (axis.to < axis.from) std::swap(axis.from, axis.to);
+    axis.count = points;
+    out.points.push_back(axis);
+  }
+  return out;
+}
+
+class Drawing {
+ public:
+  Drawing(const Context& context, const Workspace& w, const WorkspaceOptions& options, std::string id)
+      : context_(context), machine_(context.analysis.machine()), w_(w), options_(options), id_(std::move(id)) {}
+
+  Drawn all() {
+    if (w_.scan.points.size() >= 2) slices();
+    if (w_.scan.points.size() == 3) surface();
+    counts();
+    return std::move(out_);
+  }
+
+ private:
+  const Coordinate& coordinate(std::size_t axis) const {
+    return machine_.topology().coordinates[static_cast<std::size_t>(w_.scan.points[axis].input)];
+  }
+  // Where the slices are taken: through home, or through the middle of the range where home is beyond it; or as asked.
+  std::vector<std::vector<double>> cuts() const {
+    std::vector<double> middle = analysis::home_of(w_, machine_);
+    for (const scan::Axis& a : w_.scan.points) {
+      double& x = middle[static_cast<std::size_t>(a.input)];
+      if (x < std::min(a.from, a.to) || x > std::max(a.from, a.to)) x = 0.5 * (a.from + a.to);
+    }
+    if (options_.slices.empty()) return {middle};
+    std::vector<std::vector<double>> out;
+    for (const Eigen::VectorXd& q : options_.slices) out.emplace_back(q.data(), q.data() + q.size());
+    return out;
+  }
+  std::string held_words(const std::vector<double>& at, std::size_t first, std::size_t second) const {
+    std::vector<std::string> parts;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const int input = static_cast<int>(i);
+      if (input == w_.scan.points[first].input || input == w_.scan.points[second].input) continue;
+      const Coordinate& c = machine_.topology().coordinates[i];
+      parts.push_back(fmt::format("{} = {}", symbol(c.name), show(at[i], c.unit)));
+    }
+    return listed(parts, "and");
+  }
+
+  void slices() {
+    figure::Figure figure{id_ + "-slices", "", "", figure::Width::full, 2, {}};
+    std::vector<std::pair<std::size_t, std::size_t>> planes{{0, 1}};
+    if (w_.scan.points.size() == 3) planes.emplace_back(0, 2);
+    std::vector<std::string> held;
+    figure::Figure map{id_ + "-map", "", "", figure::Width::full, 2, {}};
+    for (const std::vector<double>& at : cuts())
+      for (const auto& [first, second] : planes) {
+        context_.progress.stop_if_asked();
+        const scan::Scan scan = part_of(w_, at, {first, second}, slice_points);
+        const scan::Field field = scan::sample_field(w_.set, scan);
+        const std::array coordinates{coordinate(first), coordinate(second)};
+        figure::Panel panel = slice_panel(field, coordinates, w_.margins.margins);
+        panel.title = held_words(at, first, second);
+        held.push_back(panel.title);
+        if (!options_.map.empty()) {
+          figure::Panel over = index_panel(field.axes, index_over(machine_, field, scan, options_.map), coordinates, {options_.map, ""});
+          over.title = panel.title;
+          map.panels.push_back(std::move(over));
+        }
+        figure.panels.push_back(std::move(panel));
+      }
+    figure.caption =
+        "Slices through the workspace: accepted poses, and refused ones by the first limit that refuses them; the lines are the limits "
+        "that "
+        "bound what is accepted.";
+    if (!w_.scan.orientations.empty()) figure.caption += " At the orientation of home alone.";
+    map.caption = options_.map == "condition"
+                      ? "The condition number of the overall Jacobian, moments over the characteristic length, where poses are accepted."
+                      : "The determinant of the overall Jacobian where poses are accepted.";
+    out_.blocks.emplace_back(std::move(figure));
+    if (!map.panels.empty()) out_.blocks.emplace_back(std::move(map));
+    if (w_.grid && !w_.scan.orientations.empty() && w_.scan.points.size() == 2) {
+      figure::Figure counts{
+          id_ + "-orientations", "How many of the orientations are accepted at each point.", "", figure::Width::column, 1, {}};
+      counts.panels.push_back(
+          counts_panel(w_.scan.points, w_.grid->accepted_at, {coordinate(0), coordinate(1)}, w_.scan.orientation_count()));
+      out_.blocks.emplace_back(std::move(counts));
+    }
+  }
+
+  void surface() {
+    const bool lengths = std::ranges::all_of(w_.scan.points, [&](const scan::Axis& a) {
+      return machine_.topology().coordinates[static_cast<std::size_t>(a.input)].sense() == Sense::linear;
+    });
+    scene::Surface surface;
+    if (w_.scan.orientations.empty()) {
+      const scan::Scan scan = part_of(w_, w_.scan.at, {0, 1, 2}, surface_points);
+      const scan::Field field = scan::sample_field(w_.set, scan);
+      surface = boundary_surface(field.axes, field.least());
+    } else if (w_.grid) {
+      std::vector<double> value;
+      for (const std::uint32_t n : w_.grid->accepted_at) value.push_back(n >= w_.request.at_least.front() ? 1 : -1);
+      surface = boundary_surface(w_.scan.points, value);
+    }
+    if (surface.triangles.empty()) return;
+    surface.color = membrane;
+    if (options_.exports) {
+      out_.files.push_back({"data/" + id_ + ".stl", "boundary of the workspace as a surface, binary STL [m]", to_stl(surface, id_)});
+      out_.files.push_back({"data/" + id_ + ".ply", "the same as PLY [m]", to_ply(surface, id_)});
+    }
+    if (!options_.pictures || !lengths) return;
+    // The base axes are those of the coordinates only where these are the platform's reference point.
+    scene::Bounds bounds;
+    scene::include(bounds, machine_, machine_.home_pose());
+    scene::include(bounds, surface);
+    scene::Extras extras;
+    extras.labels = false;
+    extras.surfaces = {surface};
+    const std::array views{View{"isometric", 45 * deg, std::atan(1 / std::numbers::sqrt2)}, View{"front", 0, 0}};
+    std::vector<Stage::Ordered> ordered;
+    for (const View& view : views)
+      ordered.push_back(context_.stage.picture(machine_, machine_.home_pose(), extras, bounds, view, id_ + "-" + view.name,
+                                               fmt::format("Boundary of the workspace, the mechanism at home, {} view", view.name),
+                                               {1200, 900, false, 2}));
+    document::Gallery gallery{{}, "The boundary of the workspace of the platform's reference point, with the mechanism inside."};
+    for (Stage::Ordered& o : ordered) {
+      context_.progress.stop_if_asked();
+      gallery.pictures.push_back(o.wait());
+    }
+    out_.blocks.emplace_back(std::move(gallery));
+  }
+
+  void counts() {
+    if (!w_.grid || !options_.exports) return;
+    std::vector<std::size_t> shape;
+    for (const scan::Axis& a : w_.scan.points) shape.push_back(a.count);
+    out_.files.push_back({"data/" + id_ + "-counts.npy",
+                          "accepted orientations at each point of the grid, NPY, the scanned coordinates in order",
+                          to_npy(shape, w_.grid->accepted_at)});
+  }
+
+  const Context& context_;
+  const mechanics::Machine& machine_;
+  const Workspace& w_;
+  const WorkspaceOptions& options_;
+  std::string id_;
+  Drawn out_;
+};
+
+}  // namespace
+
+Drawn draw_workspace(const Context& context, const Workspace& w, const WorkspaceOptions& options, const std::string& id) {
+  return Drawing(context, w, options, id).all();
+}
+
+}  // namespace pmreport::section

@@ -1,0 +1,41 @@
+#include <reports/section/workspace/index_map.hpp>
+
+#include <core/linear/singular_values.hpp>
+#include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/model/overall_jacobian.hpp>
+
+#include <Eigen/LU>
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+namespace pmreport::section {
+
+std::vector<double> index_over(const mechanics::Machine& machine, const scan::Field& field, const scan::Scan& scan,
+                               const std::string& index) {
+  const double length = mechanics::characteristic_length(machine);
+  std::vector<double> out = field.least();
+  tbb::parallel_for(std::size_t{0}, out.size(), [&](std::size_t k) {
+    const bool inside = out[k] >= 0;
+    out[k] = std::nan("");
+    if (!inside) return;
+    std::vector<double> q = scan.at;
+    std::size_t rest = k;
+    for (std::size_t a = field.axes.size(); a-- > 0; rest /= field.axes[a].count)
+      q[static_cast<std::size_t>(field.axes[a].input)] = field.axes[a].value(rest % field.axes[a].count);
+    const mechanics::Pose pose = machine.pose(q);
+    if (pose.status != PM_OK) return;
+    const mechanics::Jacobian g = machine.jacobian(pose);
+    if (!g.known()) return;
+    if (index == "determinant") {
+      out[k] = g.matrix.determinant();
+      return;
+    }
+    const linear::Vector6d s = linear::singular_values(mechanics::dimensionless(machine, g.matrix, length));
+    out[k] = s(0) / s(5);
+  });
+  return out;
+}
+
+}  // namespace pmreport::section

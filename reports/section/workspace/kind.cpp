@@ -1,0 +1,80 @@
+#include <reports/section/workspace/keys.hpp>
+#include <reports/section/workspace/workspace.hpp>
+
+#include <core/scenario/section/keys.hpp>
+
+#include <algorithm>
+
+namespace pmreport::section {
+
+namespace {
+
+using analysis::ScanMethod;
+using O = WorkspaceOptions;
+
+std::vector<scenario::Quantity> quantities(const scenario::Options* plain) {
+  // Of options that are not known: those of a section over three lengths, asked by every method.
+  O any;
+  any.unit = "m^3";
+  any.scanned = {"x", "y", "z"};
+  any.request.methods = {ScanMethod::proof, ScanMethod::grid, ScanMethod::monte_carlo};
+  const O& o = plain != nullptr ? static_cast<const O&>(*plain) : any;
+  const auto asks = [&](ScanMethod m) { return std::ranges::find(o.request.methods, m) != o.request.methods.end(); };
+  const std::string& unit = o.unit;
+  std::vector<scenario::Quantity> out;
+  const auto add = [&](const std::string& own, const std::string& of, const std::string& title, bool count = false) {
+    out.push_back({quantity_name(o, own), of, title, count});
+  };
+  add("volume", unit, "volume of the workspace");
+  if (asks(ScanMethod::proof) || asks(ScanMethod::monte_carlo)) {
+    add("volume_low", unit, "least that it can be, by the method");
+    add("volume_high", unit, "most that it can be, by the method");
+  }
+  if (asks(ScanMethod::grid) || asks(ScanMethod::monte_carlo)) {
+    add("poses", "", "poses that were looked at", true);
+    add("accepted", "", "accepted poses", true);
+    add("on_a_limit", "", "poses so near a limit that rounding decides", true);
+  }
+  if (asks(ScanMethod::grid)) {
+    add("points", "", "points of the grid with an accepted orientation", true);
+    add("parts", "", "separate parts", true);
+    add("holes", "", "holes", true);
+  }
+  if (o.request.one_sheet) {
+    add("on_the_sheet_of_home", "", "accepted poses that home is connected with on its side of every singular surface", true);
+    add("connected", "", "accepted poses that home is connected with", true);
+    add("positive_det", "", "accepted poses at which det G is positive", true);
+    add("negative_det", "", "accepted poses at which det G is negative", true);
+  }
+  for (const std::uint64_t n : o.request.at_least) {
+    const std::string text = std::to_string(n);
+    add("volume_at_least_" + text, unit, "volume with at least " + text + " orientations");
+    if (asks(ScanMethod::grid)) add("points_with_at_least_" + text, "", "points with at least " + text + " orientations", true);
+  }
+  for (std::size_t i = 0; i < o.scanned.size(); ++i) {
+    const std::string of = !o.units.empty() ? o.units[i] : "m";
+    add(o.scanned[i] + "_low", of, "least " + o.scanned[i] + " of the workspace");
+    add(o.scanned[i] + "_high", of, "most " + o.scanned[i] + " of the workspace");
+    add("safe_" + o.scanned[i] + "_low", of, "least " + o.scanned[i] + " of the safe box");
+    add("safe_" + o.scanned[i] + "_high", of, "most " + o.scanned[i] + " of the safe box");
+  }
+  return out;
+}
+
+}  // namespace
+
+const SectionKind& workspace_kind() {
+  static const SectionKind kind{
+      {.name = "workspace",
+       .purpose = "where the mechanism reaches: volume, proved or counted, what limits it, holes, slices, and limits for a controller",
+       .several = true,
+       .keys = workspace_keys(),
+       .needs = {.motion = false, .pictures = true},
+       .quantities = quantities,
+       .make_options = scenario::plain_options<O>,
+       .complete = complete_workspace},
+      [](const Context& c, const scenario::Section& s) { return workspace_section(c, options_of<O>(s)); }};
+  return kind;
+}
+
+}  // namespace pmreport::section

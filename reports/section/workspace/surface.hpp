@@ -1,0 +1,20 @@
+// The boundary of a set of poses in space, as a mesh.
+#pragma once
+
+#include <core/scan/pose_set.hpp>
+#include <reports/scene/scene.hpp>
+
+#include <vector>
+
+namespace pmreport::section {
+
+// The surface about the points of a grid of three axes where `value` is not negative, last axis fastest: closed, also where the set goes
+// on beyond the grid, and turned outward. NaN is outside. Coordinates are those of the axes as x, y and z; the colour is left to the
+// caller; empty where no point is inside. An axis with a single value, or another number of axes: std::invalid_argument. After
+// Gibson (1998), "Constrained elastic surface nets", without the relaxation.
+scene::Surface boundary_surface(const std::vector<scan::Axis>& axes, const std::vector<double>& value);
+
+// Enclosed by a closed surface that is turned outward, by the divergence theorem [cube of the units of its points].
+double enclosed_volume(const scene::Surface& surface);
+
+}  // namespace pmreport::section

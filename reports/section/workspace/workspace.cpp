@@ -1,0 +1,41 @@
+#include <reports/section/workspace/workspace.hpp>
+
+#include <reports/section/common/words.hpp>
+
+#include <fmt/format.h>
+
+namespace pmreport::section {
+
+using document::Paragraph;
+
+Result workspace_section(const Context& context, const WorkspaceOptions& options) {
+  const mechanics::Machine& machine = context.analysis.machine();
+  Result out;
+  const std::string id =
+      options.name.empty() ? context.number == 1 ? "workspace" : fmt::format("workspace-{}", context.number) : "workspace-" + options.name;
+  document::Section& s = out.section = {id, "workspace", "Workspace", {}};
+  Workspace w;
+  try {
+    w = analysis::workspace(machine, options.request, context.progress);
+  } catch (const analysis::NoProgram& e) {
+    s.blocks.push_back(Paragraph{Paragraph::Tone::warning, fmt::format("The workspace was not examined: {}.", e.what())});
+    s.blocks.push_back(
+        document::Proof{{document::Evidence::not_examined("Where the mechanism reaches", "scanned by its recorded geometry", e.what())}});
+    return out;
+  }
+  for (Paragraph& p : workspace_words(w, machine)) s.blocks.push_back(std::move(p));
+  s.blocks.push_back(workspace_volumes(w));
+  if (document::Table extent = workspace_extent(w, machine); !extent.rows.empty()) s.blocks.push_back(std::move(extent));
+  Drawn drawn = draw_workspace(context, w, options, id);
+  for (document::Block& b : drawn.blocks) s.blocks.push_back(std::move(b));
+  if (document::Table reasons = workspace_reasons(w); !reasons.rows.empty()) s.blocks.push_back(std::move(reasons));
+  if (document::Table safe = safe_limits(w, machine); !safe.rows.empty()) s.blocks.push_back(std::move(safe));
+  s.blocks.push_back(workspace_proof(w, machine));
+  out.values = workspace_values(w, machine, options);
+  out.data = std::move(drawn.data);
+  out.data.insert(out.data.begin(), workspace_counts(w, id));
+  out.files = std::move(drawn.files);
+  return out;
+}
+
+}  // namespace pmreport::section

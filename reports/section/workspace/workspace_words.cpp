@@ -1,0 +1,261 @@
+// Sentences and tables of a workspace.
+#include <reports/section/workspace/workspace.hpp>
+
+#include <core/text/text.hpp>
+#include <reports/section/common/words.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pmreport::section {
+
+using analysis::ScanMethod;
+using document::Paragraph;
+using document::Table;
+using mechanics::PoseLimit;
+
+namespace {
+
+std::string count(std::uint64_t n) {  // "306 300 225"
+  std::string digits = std::to_string(n), out;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) out += " ";
+    out += digits[i];
+  }
+  return out;
+}
+
+std::string share(std::uint64_t part, std::uint64_t all) {
+  return all == 0 ? "-" : typeset(format_number(100.0 * static_cast<double>(part) / static_cast<double>(all), 3));
+}
+
+const Coordinate& coordinate_of(const mechanics::Machine& machine, const scan::Axis& a) {
+  return machine.topology().coordinates[static_cast<std::size_t>(a.input)];
+}
+
+std::string scanned_words(const Workspace& w, const mechanics::Machine& machine) {
+  std::vector<std::string> ranges, held;
+  for (const scan::Axis& a : w.scan.points) {
+    const Coordinate& c = coordinate_of(machine, a);
+    ranges.push_back(fmt::format("{} from {} to {}", symbol(c.name), show(a.from, c.unit), show(a.to, c.unit)));
+  }
+  for (std::size_t i = 0; i < machine.topology().coordinates.size(); ++i) {
+    const int input = static_cast<int>(i);
+    const auto is = [&](const scan::Axis& a) { return a.input == input; };
+    if (std::ranges::any_of(w.scan.points, is) || std::ranges::find(w.scan.turned, input) != w.scan.turned.end()) continue;
+    const Coordinate& c = machine.topology().coordinates[i];
+    held.push_back(fmt::format("{} = {}", symbol(c.name), show(w.scan.at[i], c.unit)));
+  }
+  std::string out = "Scanned: " + listed(ranges, "and");
+  if (!held.empty()) out += "; held: " + listed(held, "and");
+  if (!w.scan.orientations.empty()) out += fmt::format("; at every point {} orientations are tried", count(w.scan.orientation_count()));
+  return out + ".";
+}
+
+std::string limits_words(const Workspace& w) {
+  std::vector<std::string> groups;
+  std::vector<int> numbers;
+  for (const PoseLimit& l : w.margins.limits) {
+    if (l.group == PoseLimit::Group::reach) continue;
+    const std::string name = mechanics::name_of(l.group);
+    const auto found = std::ranges::find(groups, name);
+    if (found == groups.end())
+      groups.push_back(name), numbers.push_back(1);
+    else
+      ++numbers[static_cast<std::size_t>(found - groups.begin())];
+  }
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < groups.size(); ++i) parts.push_back(fmt::format("{} of {}", numbers[i], groups[i]));
+  if (parts.empty()) return "No limit counts but that the mechanism can be assembled.";
+  return fmt::format("A pose counts when the mechanism can be assembled there and all of these limits hold, ends included: {}.",
+                     listed(parts, "and"));
+}
+
+// How a method names itself, and what it gives.
+struct Told {
+  std::string method, how, volume, low, high, note;
+};
+
+}  // namespace
+
+std::string show_volume(double si, const std::string& unit, int digits) {
+  return fmt::format("{} {}", typeset(format_number(si, digits)), typographic(unit));
+}
+
+std::string show_bracket(const program::Bounds& b, const std::string& unit) {
+  // As many digits as set the two ends apart, and one more.
+  int digits = 4;
+  while (digits < 15 && format_number(b.low, digits) == format_number(b.high, digits)) ++digits;
+  return fmt::format("{} to {} {}", typeset(format_number(b.low, digits + 1)), typeset(format_number(b.high, digits + 1)),
+                     typographic(unit));
+}
+
+std::string margin_words(const Workspace& w, int margin) {
+  if (margin < 0) return "the scanned range";
+  const mechanics::PoseMargin& m = w.margins.margins[static_cast<std::size_t>(margin)];
+  const PoseLimit& l = w.margins.limits[static_cast<std::size_t>(m.limit)];
+  if (l.group == PoseLimit::Group::reach) return "the end of reach";
+  return fmt::format("{} at its {}, {}", l.name, m.upper ? "most" : "least", show(m.upper ? l.max : l.min, l.unit));
+}
+
+std::vector<Paragraph> workspace_words(const Workspace& w, const mechanics::Machine& machine) {
+  std::vector<Paragraph> out;
+  const auto tell = [&](std::string text, Paragraph::Tone tone = Paragraph::Tone::plain) { out.push_back({tone, std::move(text)}); };
+  tell(scanned_words(w, machine));
+  tell(limits_words(w));
+  if (!w.home_inside)
+    tell(fmt::format("Home lies outside: {} is broken there. No safe limits around it can be told.", w.home_refused_by),
+         Paragraph::Tone::warning);
+  if (w.proof && w.proof->empty)
+    tell("The workspace is empty: that no pose of the range keeps the limits is proved.", Paragraph::Tone::warning);
+  if (w.grid && w.grid->tally.accepted == 0)
+    tell(fmt::format("No pose of the grid is accepted, of {}.", count(w.grid->tally.poses)), Paragraph::Tone::warning);
+  if (w.grid && w.grid->tally.accepted == w.grid->tally.poses && w.grid->tally.poses > 0)
+    tell("Every pose of the grid is accepted: the workspace goes on beyond the scanned range.", Paragraph::Tone::note);
+  if (!w.not_proved.empty()) tell("No volume is proved: " + w.not_proved + ".", Paragraph::Tone::note);
+  if (w.proof && !w.proof->enough && !w.proof->empty)
+    tell(fmt::format("The bracket is wider than asked for: {}.", w.proof->why), Paragraph::Tone::note);
+  if (w.components && w.grid->tally.accepted > 0) {
+    const auto& c = *w.components;
+    std::string text =
+        c.parts.size() == 1 ? "The accepted points hang together" : fmt::format("The accepted points fall into {} parts", c.parts.size());
+    if (c.parts.size() > 1) {
+      std::vector<std::string> sizes;
+      for (std::size_t i = 0; i < std::min<std::size_t>(c.parts.size(), 4); ++i) sizes.push_back(count(c.parts[i]));
+      text += fmt::format(", of {} points{}", listed(sizes, "and"), c.parts.size() > 4 ? " and fewer" : "");
+    }
+    text += c.holes.empty() ? ", without a hole." : fmt::format(", with {}.", plural(static_cast<int>(c.holes.size()), "hole"));
+    tell(text);
+  }
+  if (w.sheet) {
+    if (w.sheet->sign == 0)
+      tell("The pose of the grid that is nearest to home is not accepted, and has no sheet.", Paragraph::Tone::warning);
+    else
+      tell(fmt::format(
+          "On the sheet of home, which single steps reach without a change of sign of det G, lie {} of {} accepted poses; {} are "
+          "connected with it without regard to the sign.",
+          count(w.sheet->poses), count(w.grid->tally.accepted), count(w.sheet->connected)));
+  }
+  for (const std::string& joint : w.margins.left_out)
+    tell(fmt::format("The limit of joint {} is not judged: the geometry leaves its motion open.", joint), Paragraph::Tone::note);
+  return out;
+}
+
+Table workspace_volumes(const Workspace& w) {
+  Table t{"Volume of the workspace",
+          {"method", fmt::format("volume [{}]", typographic(w.unit)), "low", "high", "looked at"},
+          {false, true, true, true, false},
+          {}};
+  const auto number = [](double x) { return std::isfinite(x) ? typeset(format_number(x, 7)) : std::string("-"); };
+  const auto proved = [&](const std::string& what, const scan::ProvedVolume& p) {
+    t.rows.push_back({what, number(p.volume.middle()), number(p.volume.low), number(p.volume.high), count(p.boxes) + " boxes"});
+  };
+  const bool oriented = !w.scan.orientations.empty();
+  for (const ScanMethod m : w.request.methods) {
+    if (m == ScanMethod::proof && w.proof && !oriented) proved("proof", *w.proof);
+    if (m == ScanMethod::proof)
+      for (std::size_t i = 0; i < w.proof_at_least.size(); ++i)
+        proved(fmt::format("proof, at least {}", count(w.request.at_least[i])), w.proof_at_least[i]);
+    if (m == ScanMethod::grid && w.grid) {
+      const double cell = w.scan.cell();
+      const std::string looked = fmt::format("{} poses, {} accepted", count(w.grid->tally.poses), count(w.grid->tally.accepted));
+      if (!oriented) t.rows.push_back({"grid", number(cell * static_cast<double>(w.grid->tally.accepted)), "", "", looked});
+      for (const std::uint64_t n : w.request.at_least) {
+        const auto points = std::ranges::count_if(w.grid->accepted_at, [&](std::uint32_t k) { return k >= n; });
+        t.rows.push_back({fmt::format("grid, at least {}", count(n)), number(cell * static_cast<double>(points)), "", "",
+                          fmt::format("{} of {} points", count(static_cast<std::uint64_t>(points)), count(w.grid->accepted_at.size()))});
+      }
+    }
+    if (m == ScanMethod::monte_carlo && w.estimate) {
+      const double range = w.scan.range();
+      t.rows.push_back({"Monte Carlo, 95 %", number(range * w.estimate->share), number(range * w.estimate->low),
+                        number(range * w.estimate->high),
+                        fmt::format("{} poses, {} accepted", count(w.estimate->tally.poses), count(w.estimate->tally.accepted))});
+    }
+  }
+  return t;
+}
+
+Table workspace_extent(const Workspace& w, const mechanics::Machine& machine) {
+  Table t{"Extent of the workspace", {"coordinate", "least", "most", "centroid"}, {false, true, true, true}, {}};
+  for (std::size_t i = 0; i < w.scan.points.size(); ++i) {
+    const Coordinate& c = coordinate_of(machine, w.scan.points[i]);
+    const auto bracket = [&](const program::Bounds& b) {
+      if (!b.bounded()) return std::string("-");
+      const Apart ends = show_apart(b.low, b.high, c.unit);
+      return ends.value == ends.beside ? ends.value : ends.value + " to " + ends.beside;
+    };
+    std::vector<std::string> row{symbol(c.name)};
+    if (w.proof && i < w.proof->low.size() && !w.proof->empty)
+      row.insert(row.end(), {bracket(w.proof->low[i]), bracket(w.proof->high[i])});
+    else if (w.grid && !w.grid->low.empty())
+      row.insert(row.end(), {show(w.grid->low[i], c.unit), show(w.grid->high[i], c.unit)});
+    else
+      continue;
+    row.push_back(w.grid && !w.grid->centroid.empty() ? show(w.grid->centroid[i], c.unit) : "-");
+    t.rows.push_back(std::move(row));
+  }
+  return t;
+}
+
+Table workspace_reasons(const Workspace& w) {
+  const scan::Tally* tally = w.grid ? &w.grid->tally : w.estimate ? &w.estimate->tally : nullptr;
+  Table t{
+      "Why poses are refused: by the first limit that they break, in this order; by each limit, whatever else they break; and what is "
+      "left, "
+      "limit after limit",
+      {"limit", "first", "first [%]", "any", "any [%]", "left"},
+      {false, true, true, true, true, true},
+      {}};
+  if (tally == nullptr || tally->first.empty() || w.estimate) {
+    if (tally == nullptr || tally->first.empty()) return t;
+  }
+  std::uint64_t left = tally->poses;
+  for (std::size_t m = 0; m < tally->first.size(); ++m) {
+    left -= tally->first[m];
+    if (tally->any[m] == 0) continue;
+    t.rows.push_back({w.margins.margins[m].name, count(tally->first[m]), share(tally->first[m], tally->poses), count(tally->any[m]),
+                      share(tally->any[m], tally->poses), count(left)});
+  }
+  return t;
+}
+
+Table safe_limits(const Workspace& w, const mechanics::Machine& machine) {
+  Table t{"", {"coordinate", "least", "bound there by", "most", "bound there by"}, {false, true, false, true, false}, {}};
+  if (!w.safe_box || !w.safe_box->found) return t;
+  std::string ball;
+  if (w.safe_ball && w.safe_ball->found) {
+    const bool lengths =
+        std::ranges::all_of(w.safe_axes, [&](const scan::Axis& a) { return coordinate_of(machine, a).sense() == Sense::linear; });
+    const bool even = std::ranges::all_of(w.safe_proportions, [&](double p) { return p == w.safe_proportions.front(); });
+    ball = lengths && even ? fmt::format(" The largest ball around home has a radius of {}",
+                                         show(w.safe_ball->radius * w.safe_proportions.front(), "m"))
+                           : fmt::format(" The largest ellipsoid around home of the same proportions has {} of the ranges' half widths",
+                                         typeset(format_number(w.safe_ball->radius, 4)));
+    ball += fmt::format("; it is bound by {}.", margin_words(w, w.safe_ball->margin));
+  }
+  t.caption = "Safe limits: every pose of this box around home keeps all limits, all coordinates at once. That is proved." + ball;
+  for (std::size_t i = 0; i < w.safe_axes.size(); ++i) {
+    const Coordinate& c = coordinate_of(machine, w.safe_axes[i]);
+    const auto why = [&](int margin, bool sharp) { return margin_words(w, margin) + (sharp || margin < 0 ? "" : " (not proved farther)"); };
+    t.rows.push_back({symbol(c.name), show(w.safe_box->sides[i].low, c.unit, 5), why(w.safe_box->low_margin[i], w.safe_box->low_sharp[i]),
+                      show(w.safe_box->sides[i].high, c.unit, 5), why(w.safe_box->high_margin[i], w.safe_box->high_sharp[i])});
+  }
+  return t;
+}
+
+document::Data workspace_counts(const Workspace& w, const std::string& name) {
+  const scan::Tally* tally = w.grid ? &w.grid->tally : w.estimate ? &w.estimate->tally : nullptr;
+  document::Data d{name, {"limit", "refused_first", "refused_any"}, {{}, {}}, {{}}};
+  if (tally == nullptr) return d;
+  for (std::size_t m = 0; m < tally->first.size(); ++m) {
+    d.words[0].push_back(w.margins.margins[m].name);
+    d.columns[0].push_back(static_cast<double>(tally->first[m]));
+    d.columns[1].push_back(static_cast<double>(tally->any[m]));
+  }
+  return d;
+}
+
+}  // namespace pmreport::section
