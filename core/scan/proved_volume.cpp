@@ -38,7 +38,7 @@ class Prover {
         programs_(margins_, sets_),
         open_(axes_),
         ends_(axes_),
-        judges_([this] { return std::make_unique<Judge>(margins_, sets_, programs_); }) {
+        judges_([this] { return std::make_unique<BoxJudge>(margins_, sets_, programs_); }) {
     std::vector<std::uint64_t> all(sets_.words());
     for (std::size_t m = 0; m < margins_.margins(); ++m) all[m / 64] |= std::uint64_t{1} << m % 64;
     programs_.inherit(sets_.add(all), 0);
@@ -222,7 +222,7 @@ class Prover {
   double told_ = 0;
   ProvedVolume out_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  tbb::enumerable_thread_specific<std::unique_ptr<Judge>> judges_;
+  tbb::enumerable_thread_specific<std::unique_ptr<BoxJudge>> judges_;
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ struct Question {
   std::uint32_t set = 0;
 };
 
-struct Verdict {
+struct BoxVerdict {
   enum class Kind : std::uint8_t { outside, inside, open } kind = Kind::open;
   std::uint32_t set = 0;     // open: the margins that are left, as Judgement::sets numbers them
   bool blind = false;        // open: a margin that is left has no bounds
@@ -32,17 +32,17 @@ struct Verdict {
 
 struct Judgement {
   explicit Judgement(std::size_t margins) : sets(margins) {}
-  std::vector<Verdict> verdicts;  // one a question
+  std::vector<BoxVerdict> verdicts;  // one a question
   // One a question and axis: how much of what is open is owed to the width along it, comparable within a box.
   std::vector<double> blame;
   MarginSets sets;
 };
 
 // Keeps its buffers: one a thread. What it takes must outlive it, and the sets and programs must not grow while it runs.
-class Judge {
+class BoxJudge {
  public:
-  Judge(const BoxedMargins& margins, const MarginSets& sets, const MarginPrograms& programs);
-  ~Judge();
+  BoxJudge(const BoxedMargins& margins, const MarginSets& sets, const MarginPrograms& programs);
+  ~BoxJudge();
 
   // The answers do not depend on how questions are put together.
   void judge(std::span<const program::Bounds> boxes, std::span<const Question> questions, Judgement& out);

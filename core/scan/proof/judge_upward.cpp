@@ -63,7 +63,7 @@ Centred centred(const Bounds* natural, const Bounds* middle, const Bounds* parti
 
 }  // namespace
 
-struct Judge::Runner {
+struct BoxJudge::Runner {
   Runner(const MarginProgram& what, std::size_t inputs)
       : program(&what),
         over(what.with_partials),
@@ -78,25 +78,25 @@ struct Judge::Runner {
   std::vector<Bounds> in, in_middle, out, out_middle;
 };
 
-struct Judge::Batch {
+struct BoxJudge::Batch {
   std::span<const Bounds> boxes;
   std::span<const Question> questions;     // all
   std::span<const std::uint32_t> numbers;  // of those of the batch
   Judgement* out;
 };
 
-Judge::Judge(const BoxedMargins& margins, const MarginSets& sets, const MarginPrograms& programs)
+BoxJudge::BoxJudge(const BoxedMargins& margins, const MarginSets& sets, const MarginPrograms& programs)
     : margins_(margins), sets_(sets), programs_(programs) {}
-Judge::~Judge() = default;
+BoxJudge::~BoxJudge() = default;
 
-Judge::Runner& Judge::runner(std::uint32_t number) {
+BoxJudge::Runner& BoxJudge::runner(std::uint32_t number) {
   if (const auto found = runners_.find(number); found != runners_.end()) return *found->second;
   if (runners_.size() >= most_runners) runners_.clear();
   auto made = std::make_unique<Runner>(programs_.program(number), static_cast<std::size_t>(margins_.values().inputs()));
   return *runners_.emplace(number, std::move(made)).first->second;
 }
 
-void Judge::judge(std::span<const Bounds> boxes, std::span<const Question> questions, Judgement& out) {
+void BoxJudge::judge(std::span<const Bounds> boxes, std::span<const Question> questions, Judgement& out) {
   out.verdicts.assign(questions.size(), {});
   out.blame.assign(questions.size() * margins_.axes().size(), 0);
   order_.resize(questions.size());
@@ -109,7 +109,7 @@ void Judge::judge(std::span<const Bounds> boxes, std::span<const Question> quest
   }
 }
 
-void Judge::judge_batch(const Batch& batch, Runner& runner) {
+void BoxJudge::judge_batch(const Batch& batch, Runner& runner) {
   const std::size_t count = batch.numbers.size();
   fill(batch, runner);
   runner.over.run(count, runner.in.data(), runner.out.data());
@@ -117,7 +117,7 @@ void Judge::judge_batch(const Batch& batch, Runner& runner) {
   program::round_upward([&] { weigh(batch, runner); });
 }
 
-void Judge::fill(const Batch& batch, Runner& runner) {
+void BoxJudge::fill(const Batch& batch, Runner& runner) {
   const std::size_t count = batch.numbers.size(), axes = margins_.axes().size();
   const auto inputs = static_cast<std::size_t>(margins_.values().inputs());
   for (std::size_t k = 0; k < count; ++k) {
@@ -133,7 +133,7 @@ void Judge::fill(const Batch& batch, Runner& runner) {
   }
 }
 
-void Judge::weigh(const Batch& batch, const Runner& runner) {
+void BoxJudge::weigh(const Batch& batch, const Runner& runner) {
   const std::size_t count = batch.numbers.size(), axes = margins_.axes().size(), words = sets_.words();
   const std::vector<std::uint32_t>& margins = runner.program->margins;
   std::vector<std::uint64_t> left(words);
@@ -142,7 +142,7 @@ void Judge::weigh(const Batch& batch, const Runner& runner) {
   for (std::size_t k = 0; k < count; ++k) {
     const Question& question = batch.questions[batch.numbers[k]];
     const std::span<const std::uint64_t> asked = sets_.bits(question.set);
-    Verdict& verdict = batch.out->verdicts[batch.numbers[k]];
+    BoxVerdict& verdict = batch.out->verdicts[batch.numbers[k]];
     for (std::size_t q = 0; q < axes; ++q)
       sides[q] =
           side(batch.boxes[question.box * axes + q], runner.in_middle[static_cast<std::size_t>(margins_.axes()[q].input) * count + k].low);
@@ -159,7 +159,7 @@ void Judge::weigh(const Batch& batch, const Runner& runner) {
       const Centred g =
           centred(&runner.out[i * count + k], at_middle, &runner.out[(margins.size() + i * axes) * count + k], count, {sides.data(), axes});
       if (g.value.bounded() && g.value.high < 0) {
-        verdict = {Verdict::Kind::outside, 0, false, 0, 0, static_cast<int>(m), -1, static_cast<int>(m)};
+        verdict = {BoxVerdict::Kind::outside, 0, false, 0, 0, static_cast<int>(m), -1, static_cast<int>(m)};
         break;
       }
       if (g.value.bounded() && 0 <= g.value.low()) continue;
@@ -187,9 +187,9 @@ void Judge::weigh(const Batch& batch, const Runner& runner) {
       }
       if (depth < verdict.depth) verdict.depth = depth, verdict.margin = static_cast<int>(m);
     }
-    if (verdict.kind == Verdict::Kind::outside) continue;
+    if (verdict.kind == BoxVerdict::Kind::outside) continue;
     if (open == 0) {
-      verdict = {Verdict::Kind::inside, 0, false, 1, 1, -1, 1, -1};
+      verdict = {BoxVerdict::Kind::inside, 0, false, 1, 1, -1, 1, -1};
       continue;
     }
     // One margin is open for how it bends alone, which its halves do a quarter of; several also for what each of them covers.

@@ -35,7 +35,7 @@ struct Refined {
 };
 
 // The boxes of `from` that `which` tells, each halved along all axes of its split.
-void refine(const OpenBoxes& from, std::span<const std::uint32_t> which, std::size_t need, const BoxedMargins& margins, Judge& judge,
+void refine(const OpenBoxes& from, std::span<const std::uint32_t> which, std::size_t need, const BoxedMargins& margins, BoxJudge& judge,
             Refined& out);
 
 // Sums, rounded outward.

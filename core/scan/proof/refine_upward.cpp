@@ -68,9 +68,9 @@ class Sorter {
     open_.clear(), shares_.clear();
     std::ranges::fill(blame_, 0);
     for (std::size_t k = 0; k < questions.size(); ++k) {
-      const Verdict& verdict = out_.judgement.verdicts[first + k];
-      if (verdict.kind == Verdict::Kind::inside) ++sure;
-      if (verdict.kind != Verdict::Kind::open) continue;
+      const BoxVerdict& verdict = out_.judgement.verdicts[first + k];
+      if (verdict.kind == BoxVerdict::Kind::inside) ++sure;
+      if (verdict.kind != BoxVerdict::Kind::open) continue;
       if (out_.came_from[verdict.set] == Refined::nowhere) out_.came_from[verdict.set] = questions[k].set;
       open_.push_back({questions[k].orientation, verdict.set});
       blind = blind || verdict.blind;
@@ -121,7 +121,7 @@ void Ends::add(const Ends& more) {
   high_at_least = std::max(high_at_least, more.high_at_least);
 }
 
-void refine(const OpenBoxes& from, std::span<const std::uint32_t> which, std::size_t need, const BoxedMargins& margins, Judge& judge,
+void refine(const OpenBoxes& from, std::span<const std::uint32_t> which, std::size_t need, const BoxedMargins& margins, BoxJudge& judge,
             Refined& out) {
   const std::size_t axes = margins.axes().size();
   std::vector<Bounds> parts;
