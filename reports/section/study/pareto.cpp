@@ -57,7 +57,7 @@ figure::Figure figure_of(const StudyOptions& o, const DesignProblem& problem, co
   figure::Panel p;
   p.x = {label_of(o, across), x.label};
   p.y = {label_of(o, up), y.label};
-  figure::Series front{"front", {}, {}, 0}, marks{"", {}, {}, 0, true}, tried{"tried", {}, {}, 7, true},
+  figure::Series front{"front", {}, {}, 0}, marks{"", {}, {}, 0, true}, tried{"tried", {}, {}, 8, true},
       own{"this scenario", {}, {}, 3, true};
   const auto add = [&](figure::Series& to, const Judged& j) {
     to.x.push_back(j.numbers[across].value * x.per_si), to.y.push_back(j.numbers[up].value * y.per_si);
