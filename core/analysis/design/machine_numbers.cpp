@@ -154,7 +154,7 @@ Judged judge(const mechanics::Machine& machine, const MachineStudy& study, const
     const Answers a(w);
     if (a.empty()) note(w.home_refused_by.empty() ? "empty" : fmt::format("empty; home is refused by {}", w.home_refused_by));
     if (const std::vector<std::string> cut = a.cut_off(machine.topology()); !cut.empty())
-      note(fmt::format("goes up to the end of the range of {}", listed(cut, "and"))), out.cut_off = true;
+      note(fmt::format("may go on beyond the range of {}", listed(cut, "and"))), out.cut_off = true;
     if (a.ended_early()) note(fmt::format("the proof ended early: {}", w.proof->why));
   }
   return out;

@@ -99,7 +99,7 @@ std::string failures(const std::vector<const Judged*>& all) {
 std::string cut_off(const std::vector<const Judged*>& all) {
   const auto n = static_cast<int>(std::ranges::count_if(all, [](const Judged* j) { return j->cut_off; }));
   if (n == 0) return {};
-  return fmt::format("The workspace of {} of {} goes up to the end of the scanned range; what lies beyond does not count.", n,
+  return fmt::format("The workspace of {} of {} may go on beyond the scanned range; what lies there does not count.", n,
                      plural(static_cast<int>(all.size()), "variant"));
 }
 

@@ -37,7 +37,7 @@ TEST_CASE("a sweep has a row a variant with its area, and one that cannot be mad
   CHECK(r.value("smallest_x_high") == Approx(0.1));
   CHECK(r.value("volume_2") == Approx(counted(0.2) * counted(0.1)));
   CHECK_THAT(r.words(), Contains("1 of 6 variants could not be made or judged: a and b together are longer than the frame (1).") &&
-                            Contains("goes up to the end of the range of x") && Contains("at a = 500 mm") && Contains("at a = 100 mm"));
+                            Contains("may go on beyond the range of x") && Contains("at a = 500 mm") && Contains("at a = 100 mm"));
   REQUIRE(r.figures().size() == 1);
   const figure::Figure f = r.figures()[0];
   REQUIRE(f.panels.size() == 2);
