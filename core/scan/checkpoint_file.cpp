@@ -136,10 +136,13 @@ void CheckpointFile::save(const ScanState& state) {
   const auto fail = [&] {
     const int error = errno;
     ::unlink(fresh.c_str());
-    throw CheckpointError(
+    throw CheckpointNotKept(
         fmt::format("what is done of the scan cannot be kept in {} ({}): make room there, or name a folder that can be written",
                     checkpoint_.file.string(), std::generic_category().message(error)));
   };
+  // A folder that cannot be made is told by the file that cannot be written in it.
+  std::error_code not_made;
+  std::filesystem::create_directories(checkpoint_.file.parent_path(), not_made);
   Head head{{}, checkpoint_.scan, form_, size_of(state)};
   std::memcpy(head.magic.data(), beginning, sizeof beginning);
   Checksum sum;

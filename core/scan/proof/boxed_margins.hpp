@@ -1,0 +1,43 @@
+// The margins of a set of poses as programs for boxes of the scanned coordinates.
+#pragma once
+
+#include <core/program/bounds.hpp>
+#include <core/program/program.hpp>
+#include <core/scan/pose_set.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace pmreport::scan {
+
+// A scanned coordinate that has a range. One whose range is zero is a number like those that are not scanned.
+struct FreeAxis {
+  std::size_t point_axis = 0;  // of Scan::points
+  int input = 0;
+  program::Bounds range;  // the lesser end first, whichever way it is scanned
+};
+
+class BoxedMargins {
+ public:
+  // Throws std::invalid_argument: the set has late margins, or the scan more free axes than `most_axes`.
+  BoxedMargins(const PoseSet& set, const Scan& scan);
+
+  const std::vector<FreeAxis>& axes() const { return axes_; }
+  std::size_t margins() const { return values_.outputs().size(); }
+  std::size_t orientations() const { return fixed_.size(); }
+
+  // Inputs: the coordinates, then what does not change within an orientation. Outputs: the margins; and behind them, the derivative of
+  // margin m by free axis q at margins + m axes + q.
+  const program::Program& values() const { return values_; }
+  const program::Program& with_partials() const { return with_partials_; }
+  // One an input; of the free ones the whole range.
+  std::span<const program::Bounds> fixed(std::size_t orientation) const { return fixed_[orientation]; }
+
+ private:
+  std::vector<FreeAxis> axes_;
+  program::Program values_, with_partials_;
+  std::vector<std::vector<program::Bounds>> fixed_;  // of each orientation
+};
+
+}  // namespace pmreport::scan

@@ -1,0 +1,218 @@
+#include <core/scan/proof/judge.hpp>
+
+#include <core/program/interval.hpp>
+#include <core/program/rounding.hpp>
+#include <core/scan/proof/half_space.hpp>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace pmreport::scan {
+
+namespace {
+
+using program::Bounds, program::Boxes, program::Interval;
+
+constexpr std::size_t most_boxes = 60;  // of a call: enough to pay for choosing an instruction, and no power of two, which caches dislike
+constexpr std::size_t most_runners = 256;  // kept by a thread
+
+// The box along one axis about m, the number near its middle that margins are computed at: x = m + offset + half u, u in [-1, 1].
+struct Side {
+  Interval offset, half;
+};
+Side side(Bounds x, double middle) {
+  const Interval low(x.low), high(x.high), m(middle);
+  return {((low - m) + (high - m)) * 0.5, (high - low) * 0.5};
+}
+
+// A margin over a box. By the mean value theorem there are, for each pose of the box, a_q within the bounds A_q of the partial derivatives
+// over it with
+//     g = g(m) + sum of a_q (offset_q + half_q u_q) = c + sum of w_q u_q + r,   |r| <= spread,      (1)
+// where c = g(m) + sum of A_q offset_q, w_q is any number in the middle of A_q half_q, and spread the sum of the largest |A_q half_q -
+// w_q|. So g >= 0 on no less than the share of the half-space c.low - spread + w.u >= 0, and on no more than that of c.high + spread + w.u
+// >= 0.
+struct Centred {
+  Interval value = Interval::unbounded();  // over the box
+  bool linear = false;                     // (1) is known
+  Interval centre{0.0};                    // c
+  double spread = 0, weight = 0;           // of all axes, weight = sum of |w_q|
+  std::array<double, most_axes> w{}, spread_along{};
+};
+
+Centred centred(const Bounds* natural, const Bounds* middle, const Bounds* partials, std::size_t stride, std::span<const Side> sides) {
+  Centred g;
+  g.value = Interval(*natural);
+  g.centre = Interval(*middle);
+  g.linear = g.centre.bounded();
+  double reach = 0;
+  for (std::size_t q = 0; q < sides.size() && g.linear; ++q) {
+    const Interval slope(partials[q * stride]), rise = slope * sides[q].half;
+    g.centre += slope * sides[q].offset;
+    g.linear = rise.bounded() && g.centre.bounded();
+    if (!g.linear) break;
+    g.w[q] = rise.middle();
+    g.spread_along[q] = (rise - g.w[q]).magnitude();
+    g.spread += g.spread_along[q];
+    g.weight += std::abs(g.w[q]);
+    reach += rise.magnitude();
+  }
+  if (g.linear) g.value = common(g.value, g.centre + Interval(-reach, reach));
+  return g;
+}
+
+}  // namespace
+
+struct BoxJudge::Runner {
+  Runner(const MarginProgram& what, std::size_t inputs)
+      : program(&what),
+        over(what.with_partials),
+        at(what.values),
+        in(inputs * most_boxes),
+        in_middle(inputs * most_boxes),
+        out(what.with_partials.outputs().size() * most_boxes),
+        out_middle(what.values.outputs().size() * most_boxes) {}
+
+  const MarginProgram* program;
+  Boxes over, at;
+  std::vector<Bounds> in, in_middle, out, out_middle;
+};
+
+struct BoxJudge::Batch {
+  std::span<const Bounds> boxes;
+  std::span<const Question> questions;     // all
+  std::span<const std::uint32_t> numbers;  // of those of the batch
+  Judgement* out;
+};
+
+BoxJudge::BoxJudge(const BoxedMargins& margins, const MarginSets& sets, const MarginPrograms& programs)
+    : margins_(margins), sets_(sets), programs_(programs) {}
+BoxJudge::~BoxJudge() = default;
+
+BoxJudge::Runner& BoxJudge::runner(std::uint32_t number) {
+  if (const auto found = runners_.find(number); found != runners_.end()) return *found->second;
+  if (runners_.size() >= most_runners) runners_.clear();
+  auto made = std::make_unique<Runner>(programs_.program(number), static_cast<std::size_t>(margins_.values().inputs()));
+  return *runners_.emplace(number, std::move(made)).first->second;
+}
+
+void BoxJudge::judge(std::span<const Bounds> boxes, std::span<const Question> questions, Judgement& out) {
+  out.verdicts.assign(questions.size(), {});
+  out.blame.assign(questions.size() * margins_.axes().size(), 0);
+  order_.resize(questions.size());
+  for (std::uint32_t i = 0; i < order_.size(); ++i) order_[i] = i;
+  const auto number = [&](std::uint32_t i) { return programs_.number(questions[i].set); };
+  std::ranges::stable_sort(order_, {}, number);
+  for (std::size_t from = 0, to = 0; from < order_.size(); from = to) {
+    while (to < order_.size() && to - from < most_boxes && number(order_[to]) == number(order_[from])) ++to;
+    judge_batch({boxes, questions, std::span(order_).subspan(from, to - from), &out}, runner(number(order_[from])));
+  }
+}
+
+void BoxJudge::judge_batch(const Batch& batch, Runner& runner) {
+  const std::size_t count = batch.numbers.size();
+  fill(batch, runner);
+  runner.over.run(count, runner.in.data(), runner.out.data());
+  runner.at.run(count, runner.in_middle.data(), runner.out_middle.data());
+  program::round_upward([&] { weigh(batch, runner); });
+}
+
+void BoxJudge::fill(const Batch& batch, Runner& runner) {
+  const std::size_t count = batch.numbers.size(), axes = margins_.axes().size();
+  const auto inputs = static_cast<std::size_t>(margins_.values().inputs());
+  for (std::size_t k = 0; k < count; ++k) {
+    const Question& question = batch.questions[batch.numbers[k]];
+    const std::span<const Bounds> fixed = margins_.fixed(question.orientation);
+    for (std::size_t i = 0; i < inputs; ++i) runner.in[i * count + k] = runner.in_middle[i * count + k] = fixed[i];
+    for (std::size_t q = 0; q < axes; ++q) {
+      const Bounds x = batch.boxes[question.box * axes + q];
+      const std::size_t at = static_cast<std::size_t>(margins_.axes()[q].input) * count + k;
+      runner.in[at] = x;
+      runner.in_middle[at] = Bounds::exactly(x.middle());
+    }
+  }
+}
+
+void BoxJudge::weigh(const Batch& batch, const Runner& runner) {
+  const std::size_t count = batch.numbers.size(), axes = margins_.axes().size(), words = sets_.words();
+  const std::vector<std::uint32_t>& margins = runner.program->margins;
+  std::vector<std::uint64_t> left(words);
+  std::array<Side, most_axes> sides{};
+  std::array<double, most_axes> spreads{}, weights{};
+  for (std::size_t k = 0; k < count; ++k) {
+    const Question& question = batch.questions[batch.numbers[k]];
+    const std::span<const std::uint64_t> asked = sets_.bits(question.set);
+    BoxVerdict& verdict = batch.out->verdicts[batch.numbers[k]];
+    for (std::size_t q = 0; q < axes; ++q)
+      sides[q] =
+          side(batch.boxes[question.box * axes + q], runner.in_middle[static_cast<std::size_t>(margins_.axes()[q].input) * count + k].low);
+    std::ranges::fill(left, 0);
+    spreads.fill(0), weights.fill(0);
+    std::size_t open = 0;
+    double missing = 0;  // no less than the share that is outside
+    verdict.depth = std::numeric_limits<double>::infinity();
+
+    for (std::size_t i = 0; i < margins.size(); ++i) {
+      const std::uint32_t m = margins[i];
+      if (!(asked[m / 64] >> m % 64 & 1)) continue;
+      const Bounds* at_middle = &runner.out_middle[i * count + k];
+      const Centred g =
+          centred(&runner.out[i * count + k], at_middle, &runner.out[(margins.size() + i * axes) * count + k], count, {sides.data(), axes});
+      if (g.value.bounded() && g.value.high < 0) {
+        verdict = {BoxVerdict::Kind::outside, 0, false, 0, 0, static_cast<int>(m), -1, static_cast<int>(m)};
+        break;
+      }
+      if (g.value.bounded() && 0 <= g.value.low()) continue;
+      ++open;
+      left[m / 64] |= std::uint64_t{1} << m % 64;
+      if (verdict.middle < 0 && at_middle->bounded() && at_middle->high < 0) verdict.middle = static_cast<int>(m);
+      double depth = -1;
+      if (g.linear) {
+        const double low = -(g.centre.negative_low + g.spread), high = g.centre.high + g.spread, scale = g.weight + g.spread;
+        const Bounds share = half_space_share_upward({low, high}, {g.w.data(), axes});
+        missing += 1 - share.low;
+        verdict.high = std::min(verdict.high, share.high);
+        if (scale > 0) depth = g.centre.middle() / scale;
+        for (std::size_t q = 0; q < axes && scale > 0; ++q) {
+          spreads[q] += g.spread_along[q] / scale;
+          weights[q] += std::abs(g.w[q]) / scale;
+        }
+      } else {
+        missing += 1;
+        verdict.blind = true;
+        for (std::size_t q = 0; q < axes; ++q) {
+          const Bounds range = margins_.axes()[q].range, x = batch.boxes[question.box * axes + q];
+          spreads[q] += x.width() / range.width();
+        }
+      }
+      if (depth < verdict.depth) verdict.depth = depth, verdict.margin = static_cast<int>(m);
+    }
+    if (verdict.kind == BoxVerdict::Kind::outside) continue;
+    if (open == 0) {
+      verdict = {BoxVerdict::Kind::inside, 0, false, 1, 1, -1, 1, -1};
+      continue;
+    }
+    // One margin is open for how it bends alone, which its halves do a quarter of; several also for what each of them covers.
+    for (std::size_t q = 0; q < axes; ++q) batch.out->blame[batch.numbers[k] * axes + q] = open > 1 ? spreads[q] + weights[q] : spreads[q];
+    verdict.set = batch.out->sets.add(left);
+    verdict.low = std::max(0.0, -(missing - 1));
+  }
+}
+
+// Where `need` of the open hold, one at least does of any m - need + 1 of them: no more than the sum of the m - need + 1 least shares. And
+// where they do not, one at least of any `need` of them fails.
+Bounds share_of_orientations(std::span<const Bounds> open, std::size_t need) {
+  if (open.size() == 1) return open.front();
+  std::vector<double> missing, high;
+  return program::round_upward([&]() -> Bounds {
+    for (const Bounds& b : open) missing.push_back(1 - b.low), high.push_back(b.high);
+    std::ranges::sort(missing);
+    std::ranges::sort(high);
+    double most = 0, fails = 0;
+    for (std::size_t i = 0; i + need < open.size() + 1; ++i) most += high[i];
+    for (std::size_t i = 0; i < need; ++i) fails += missing[i];
+    return {std::max(0.0, -(fails - 1)), std::min(1.0, most)};
+  });
+}
+
+}  // namespace pmreport::scan
