@@ -1,5 +1,6 @@
 // The program: what the user typed goes to its command, and what a command throws becomes a sentence and the exit status.
 #include <core/mechanics/model/machine.hpp>
+#include <core/scan/checkpoint.hpp>
 #include <core/scenario/diagnostic.hpp>
 #include <reports/document/write.hpp>
 #include <reports/program/commands.hpp>
@@ -87,6 +88,12 @@ int guarded(F&& f) {
   } catch (const document::OutputError& e) {
     tell("error: {}\n", e.what());
     return program::output_failed;
+  } catch (const scan::CheckpointNotKept& e) {
+    tell("error: {}\n", e.what());
+    return program::output_failed;
+  } catch (const scan::CheckpointError& e) {
+    tell("error: {}\n", e.what());
+    return program::bad_scenario;
   } catch (const std::system_error& e) {  // of a print to stdout, or of a folder that went away
     tell("error: the output failed: {}\n", e.what());
     return program::output_failed;

@@ -22,6 +22,8 @@ Vector6d solution(const Matrix6d& a, const Vector6d& b) { return a.partialPivLu(
 
 Vector6d solution_of_transpose(const Matrix6d& a, const Vector6d& b) { return a.transpose().partialPivLu().solve(b); }
 
+Matrix6d inverse(const Matrix6d& a) { return a.partialPivLu().inverse(); }
+
 SmallMatrix inverse(const SmallMatrix& a) {
   PMREPORT_ASSERT(a.rows() == a.cols(), "only a square matrix has an inverse");
   return a.partialPivLu().inverse();

@@ -13,6 +13,9 @@ namespace pmreport::scan {
 struct CheckpointError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+struct CheckpointNotKept : CheckpointError {  // it cannot be written
+  using CheckpointError::CheckpointError;
+};
 
 struct Checkpoint {
   std::filesystem::path file;

@@ -1,23 +1,23 @@
 #include <core/scan/grid.hpp>
 
+#include <core/scan/checkpoint_file.hpp>
 #include <core/scan/grid_size.hpp>
 #include <core/scan/judge/walk.hpp>
+#include <core/scan/pace.hpp>
 
 #include <fmt/core.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <new>
+#include <optional>
 #include <stdexcept>
 
 namespace pmreport::scan {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t group = 4096;                // orientations that are prepared at a time
 constexpr std::uint64_t most_of_a_tile = 1 << 21;  // poses, and no fewer points than are worth it
@@ -44,27 +44,44 @@ class Count {
 
   std::size_t steps() const { return groups_ * tiling_.size(); }
   std::size_t done() const { return done_; }
+  // All that it needs to go on, between two steps.
+  ScanState state() {
+    ScanState out;
+    const auto add_number = [&](std::uint64_t& n) { out.push_back(std::as_writable_bytes(std::span(&n, 1))); };
+    for (std::uint64_t* n : {&done_, &out_.tally.poses, &out_.tally.accepted, &out_.tally.on_a_limit, &out_.positive, &out_.negative})
+      add_number(*n);
+    for (auto* numbers : {&out_.tally.first, &out_.tally.any, &out_.accepted_poses, &out_.positive_poses, &out_.negative_poses})
+      add_to(out, *numbers);
+    add_to(out, out_.accepted_at);
+    return out;
+  }
+  // Of what decides the meaning of the state.
+  std::uint64_t form() const {
+    std::uint64_t h = 1;  // of the order of steps and of the numbers
+    for (const std::uint64_t x :
+         {std::uint64_t{steps()}, std::uint64_t{tiling_.size()}, poses_of(scan_), std::uint64_t{plan_.set.size()},
+          std::uint64_t{plan_.reasons}, std::uint64_t{!out_.accepted_poses.empty()}, std::uint64_t{!plan_.sign.outputs().empty()}})
+      h = (h ^ x) * 0x9E3779B97F4A7C15u + 1;
+    return h;
+  }
   GridCounts& counts() { return out_; }
 
   // Steps from where it stands, of one group, for about as long as there is between two looks.
   void go_on() {
     const std::size_t g = done_ / tiling_.size(), first = done_ % tiling_.size();
     if (!orientations_ || prepared_ != g) prepare(g);
-    const std::size_t last = std::min({tiling_.size(), first + at_once_, first + std::max<std::size_t>(1, most_at_once / parts_.size())});
-    const auto start = Clock::now();
+    const std::size_t last =
+        std::min({tiling_.size(), first + pace_.steps(), first + std::max<std::size_t>(1, most_at_once / parts_.size())});
     found_.resize((last - first) * parts_.size());
     tiles_.resize(last - first);
     for (std::size_t t = first; t < last; ++t) tiles_[t - first] = tiling_.tile(t);
-    tbb::parallel_for(std::size_t{0}, found_.size(), [&](std::size_t k) {
-      found_[k] = walks_.local().run(tiles_[k / parts_.size()], *orientations_, parts_[k % parts_.size()]);
+    pace_.run([&] {
+      tbb::parallel_for(std::size_t{0}, found_.size(), [&](std::size_t k) {
+        found_[k] = walks_.local().run(tiles_[k / parts_.size()], *orientations_, parts_[k % parts_.size()]);
+      });
     });
     for (std::size_t k = 0; k < found_.size(); ++k) add(tiles_[k / parts_.size()], found_[k]);
     done_ += last - first;
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    if (seconds < between_looks / 2)
-      at_once_ *= 2;
-    else if (seconds > between_looks)
-      at_once_ = std::max<std::size_t>(1, at_once_ / 2);
   }
 
  private:
@@ -111,7 +128,9 @@ class Count {
   const Plan plan_;
   const Tiling tiling_;
   const std::size_t groups_;
-  std::size_t done_ = 0, at_once_ = 8, prepared_ = 0;
+  Pace pace_;
+  std::uint64_t done_ = 0;
+  std::size_t prepared_ = 0;
   std::unique_ptr<Orientations> orientations_;
   std::vector<int> parts_;
   std::vector<Tile> tiles_;
@@ -150,10 +169,23 @@ void place_ends(const Scan& scan, GridCounts& counts) {
 GridCounts count_grid(const PoseSet& set, const Scan& scan, const GridOptions& options, const Watch& watch) try {
   poses_of(scan);
   Count count(set, scan, options);
-  while (count.done() < count.steps()) {
-    watch.stop_if_asked();
-    count.go_on();
-    watch.done(static_cast<double>(count.done()) / static_cast<double>(count.steps()));
+  std::optional<CheckpointFile> file;
+  if (options.checkpoint) file.emplace(*options.checkpoint, count.form());
+  if (file) file->load(count.state());
+  bool kept = true;
+  try {
+    while (count.done() < count.steps()) {
+      watch.stop_if_asked();
+      count.go_on();
+      kept = false;
+      watch.done(static_cast<double>(count.done()) / static_cast<double>(count.steps()));
+      if (file && file->due()) file->save(count.state()), kept = true;
+    }
+  } catch (const CheckpointError&) {
+    throw;
+  } catch (...) {
+    if (file && !kept) file->save(count.state());
+    throw;
   }
   place_ends(scan, count.counts());
   return std::move(count.counts());

@@ -32,8 +32,7 @@ std::size_t memory_needed(const PoseSet&, const Scan& scan, const GridOptions& o
   const std::uint64_t poses = poses_of(scan);
   std::size_t bytes = scan.point_count() * sizeof(std::uint32_t);
   if (options.keep_poses) bytes += (poses + 63) / 64 * sizeof(std::uint64_t) * (options.sign != nullptr ? 3 : 1);
-  // What a checkpoint writes is put together beside it.
-  return options.checkpoint ? 2 * bytes : bytes;
+  return bytes;
 }
 
 // Some tiles of equal distance from one another, each at a few orientations, pose by pose.

@@ -16,9 +16,12 @@ struct MonteCarloOptions {
 
 // Pose k has numbers that are a function of seed, k and the axis alone: the same for any number of threads.
 struct Estimate {
-  Tally tally;                          // of points; with orientations a point counts as accepted where at least `need` of them are
+  // Of points. With orientations a point counts as accepted where at least `need` of them are, as on a limit where fewer would be without
+  // those that rounding decides; what refuses is counted of all its poses.
+  Tally tally;
   double share = 0, low = 0, high = 0;  // of the scanned range: accepted, and its 95 % interval (Wilson 1927)
 };
+// Throws std::invalid_argument: no poses; `need` is none, or more than there are orientations.
 Estimate monte_carlo(const PoseSet& set, const Scan& scan, std::size_t need, const MonteCarloOptions& options, const Watch& watch = {});
 
 }  // namespace pmreport::scan

@@ -19,6 +19,14 @@ struct MechanismSource {
   std::vector<std::string> names;
 };
 
+// Where a scenario comes from, for the other scenarios that it names: they are read with the same kinds and mechanisms.
+struct Origin {
+  const std::filesystem::path& file;
+  const MechanismSource& source;
+  Kinds kinds;         // of the sections that it may ask for
+  bool named = false;  // by another scenario, for its mechanism and what that is asked; no report is made of it
+};
+
 // A validated scenario, the motion that it asks for, and the machine that it describes. Throws ScenarioError (bad file, exit 2), or
 // mechanics::MechanismError when the plugin breaks (exit 3); parameters that the mechanism refuses are a ScenarioError at the line of
 // [mechanism]. The motion is solved on the way, for the times that sections and checks may name are those that it reaches. A trajectory
@@ -28,9 +36,10 @@ struct Loaded {
   mechanics::Trajectory trajectory;  // of no samples when the scenario has no motion
   std::unique_ptr<mechanics::Machine> machine;
 };
-// `kinds`: of the sections that it may ask for.
 Loaded load(const std::filesystem::path& file, const MechanismSource& source, Kinds kinds);
 Loaded load_text(const std::string& text, const std::filesystem::path& file, const MechanismSource& source, Kinds kinds);
+Loaded load(const Origin& origin);
+Loaded load_text(const std::string& text, const Origin& origin);
 
 // Largest number of samples; more is refused with the estimate of time and memory.
 inline constexpr std::size_t max_samples = 1'000'000;

@@ -24,24 +24,13 @@ std::string shown_outside(double si, const ParameterInfo& info) {
   return format_outside(si / factor, info.min / factor, info.max / factor, 6) + (symbol.empty() ? "" : " " + symbol);
 }
 
-std::optional<double> read_number(const Value& value, const ParameterInfo& info, const Reader& reader) {
-  const auto number = reader.quantity(value, parse_unit(info.unit).value_or(Unit{}).dimension);
-  if (!number) return std::nullopt;
-  // The range may end at a round number of the display unit, which its SI value meets only to rounding.
-  const double slack = 1e-12 * std::max(std::abs(info.min), std::abs(info.max));
-  if (*number >= info.min - slack && *number <= info.max + slack) return std::clamp(*number, info.min, info.max);
-  reader.diagnostics().add(value.place, fmt::format("expected {} to {} for {}, seen {}", shown(info.min, info), shown(info.max, info),
-                                                    info.name, shown_outside(*number, info)));
-  return std::nullopt;
-}
-
 std::optional<std::vector<double>> read_parameter(const Value& value, const ParameterInfo& info, const Reader& reader) {
   if (info.kind == PM_CHOICE) {
     const auto index = reader.word(value, info.choices, fmt::format("the choices of {}", info.name));
     return index ? std::optional(std::vector{static_cast<double>(*index)}) : std::nullopt;
   }
   if (info.kind == PM_NUMBER) {
-    const auto number = read_number(value, info, reader);
+    const auto number = read_parameter_number(value, info, reader);
     return number ? std::optional(std::vector{*number}) : std::nullopt;
   }
   if (value.kind == Value::Kind::refused) return std::nullopt;
@@ -55,7 +44,7 @@ std::optional<std::vector<double>> read_parameter(const Value& value, const Para
   }
   std::vector<double> out;
   for (const Value& item : value.items)
-    if (const auto number = read_number(item, info, reader)) out.push_back(*number);
+    if (const auto number = read_parameter_number(item, info, reader)) out.push_back(*number);
   return out.size() == value.items.size() ? std::optional(out) : std::nullopt;
 }
 
@@ -91,6 +80,52 @@ std::optional<Topology> assumed_topology(const pm_mechanism& table, const Mechan
 
 }  // namespace
 
+std::optional<double> read_parameter_number(const Value& value, const ParameterInfo& info, const Reader& reader) {
+  const auto number = reader.quantity(value, parse_unit(info.unit).value_or(Unit{}).dimension);
+  if (!number) return std::nullopt;
+  // The range may end at a round number of the display unit, which its SI value meets only to rounding.
+  const double slack = 1e-12 * std::max(std::abs(info.min), std::abs(info.max));
+  if (*number >= info.min - slack && *number <= info.max + slack) return std::clamp(*number, info.min, info.max);
+  reader.diagnostics().add(value.place, fmt::format("expected {} to {} for {}, seen {}", shown(info.min, info), shown(info.max, info),
+                                                    info.name, shown_outside(*number, info)));
+  return std::nullopt;
+}
+
+std::optional<std::string> silenced_by(const mechanics::MechanismInfo& info, std::size_t parameter, const std::vector<std::size_t>& set) {
+  const std::string& other = info.parameters[parameter].unless;
+  const bool given = std::ranges::any_of(set, [&](std::size_t i) { return info.parameters[i].name == other; });
+  return given ? std::optional(other) : std::nullopt;
+}
+
+bool read_parameters(const Entry& entry, const std::string& where, const mechanics::MechanismInfo& info, mechanics::ParameterValues& values,
+                     std::vector<std::size_t>& set, const Reader& reader) {
+  const Value* parameters = table_of(&entry, entry.key, reader);
+  if (parameters == nullptr) return false;
+  bool sound = true;
+  TableReader given(*parameters, where, entry.place, reader);
+  std::vector<std::size_t> here;
+  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+    const Entry* e = given.find(info.parameters[i].name);
+    if (e == nullptr) continue;
+    const auto value = read_parameter(e->value, info.parameters[i], reader);
+    sound = sound && value.has_value();
+    if (!value) continue;
+    values[i] = *value;
+    here.push_back(i);
+  }
+  given.finish();
+  for (const std::size_t i : here)
+    if (std::ranges::find(set, i) == set.end()) set.push_back(i);
+  for (const std::size_t i : here) {
+    const std::optional<std::string> other = silenced_by(info, i, set);
+    if (!other) continue;
+    reader.diagnostics().add(given.find(info.parameters[i].name)->place,
+                             fmt::format("{} says nothing once {} is given", info.parameters[i].name, *other), "keep one of the two");
+    sound = false;
+  }
+  return sound;
+}
+
 MechanismPart read_mechanism(const Entry* entry, const MechanismSource& source, const Reader& reader) {
   Diagnostics& diagnostics = reader.diagnostics();
   MechanismPart part;
@@ -121,26 +156,8 @@ MechanismPart read_mechanism(const Entry* entry, const MechanismSource& source, 
   part.values = mechanics::default_values(part.info);
 
   bool sound = parameters_entry == nullptr || parameters != nullptr;
-  if (parameters != nullptr) {
-    TableReader given(*parameters, "[mechanism.parameters] of " + part.name, parameters_entry->place, reader);
-    for (std::size_t i = 0; i < part.info.parameters.size(); ++i) {
-      const Entry* e = given.find(part.info.parameters[i].name);
-      if (e == nullptr) continue;
-      const auto value = read_parameter(e->value, part.info.parameters[i], reader);
-      sound = sound && value.has_value();
-      if (!value) continue;
-      part.values[i] = *value;
-      part.set.push_back(i);
-    }
-    given.finish();
-    for (const std::size_t i : part.set) {
-      const ParameterInfo& info = part.info.parameters[i];
-      const Entry *own = given.find(info.name), *other = info.unless.empty() ? nullptr : given.find(info.unless);
-      if (other == nullptr) continue;
-      diagnostics.add(own->place, fmt::format("{} says nothing once {} is given", info.name, info.unless), "keep one of the two");
-      sound = false;
-    }
-  }
+  if (parameters != nullptr)
+    sound = read_parameters(*parameters_entry, "[mechanism.parameters] of " + part.name, part.info, part.values, part.set, reader);
   if (sound) {
     try {
       part.machine = std::make_unique<mechanics::Machine>(*mechanism, part.values);

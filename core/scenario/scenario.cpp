@@ -39,6 +39,12 @@ Needs Scenario::needs() const {
 }
 
 Loaded load_text(const std::string& text, const std::filesystem::path& file, const MechanismSource& source, Kinds kinds) {
+  return load_text(text, {file, source, kinds});
+}
+
+Loaded load_text(const std::string& text, const Origin& origin) {
+  const std::filesystem::path& file = origin.file;
+  const Kinds kinds = origin.kinds;
   const std::string shown = printable(file.string());
   if (text.size() > largest_file)
     refuse_file(shown, fmt::format("expected at most {} MiB, seen {} bytes", largest_file >> 20, text.size()));
@@ -61,7 +67,7 @@ Loaded load_text(const std::string& text, const std::filesystem::path& file, con
   s.author = text_or_nothing(table.find("author"), reader);
   s.description = text_or_nothing(table.find("description"), reader);
 
-  MechanismPart mechanism = read_mechanism(table.find("mechanism"), source, reader);
+  MechanismPart mechanism = read_mechanism(table.find("mechanism"), origin.source, reader);
   const Entry *motion_at = table.find("motion"), *load_at = table.find("load"), *drive = table.find("drive"),
               *limits = table.find("limits"), *sections = table.find("section");
   LoadPart load = read_load(load_at, reader);
@@ -76,7 +82,7 @@ Loaded load_text(const std::string& text, const std::filesystem::path& file, con
   s.drives = read_drives(drive, mechanism, reader);
   s.limits = read_limits(limits, mechanism, reader);
   const GivenTable tables[] = {{"drive", drive}, {"limits", limits}};
-  s.sections = read_sections(sections, kinds, motion.span, mechanism, tables, s.drives, reader);
+  s.sections = read_sections(sections, kinds, motion.span, mechanism, tables, s.drives, origin, reader);
   s.checks = read_checks(table.find("check"), {s.sections, mechanism.topology, motion.span, s.drives, kinds}, reader);
   table.finish();
   diagnostics.throw_if_any();
@@ -90,7 +96,10 @@ Loaded load_text(const std::string& text, const std::filesystem::path& file, con
   return out;
 }
 
-Loaded load(const std::filesystem::path& file, const MechanismSource& source, Kinds kinds) {
+Loaded load(const std::filesystem::path& file, const MechanismSource& source, Kinds kinds) { return load({file, source, kinds}); }
+
+Loaded load(const Origin& origin) {
+  const std::filesystem::path& file = origin.file;
   const std::string shown = printable(file.string());
   std::error_code error;
   if (!std::filesystem::exists(file, error)) refuse_file(shown, "there is no such file");
@@ -99,7 +108,7 @@ Loaded load(const std::filesystem::path& file, const MechanismSource& source, Ki
     refuse_file(shown, fmt::format("expected at most {} MiB, seen {} bytes", largest_file >> 20, size));
   const auto text = read_file(file, largest_file);
   if (!text) refuse_file(shown, "the file cannot be read", "look at its permissions");
-  return load_text(*text, file, source, kinds);
+  return load_text(*text, origin);
 }
 
 }  // namespace pmreport::scenario

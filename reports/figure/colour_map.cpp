@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
 
 #include <reports/figure/colour_scale.hpp>
+#include <reports/figure/contour.hpp>
 #include <reports/figure/surface.hpp>
 
 namespace pmreport::figure {
@@ -83,61 +83,11 @@ void paint(cairo_t* cr, const Box& box, ColourAt&& colour_at) {
 
 }  // namespace
 
-// Marching squares. A cell whose corners alternate in sign has two pieces; the sign of its middle tells which corners they cut off.
 std::vector<Stroke> zero_contour(const ColourMap& map, const Frame& frame) {
-  const std::size_t columns = map.x.size(), rows = map.y.size();
-  const double limit = colour_range(map).high;
-  std::vector<Stroke> strokes;
-  for (std::size_t j = 0; j + 1 < rows; ++j)
-    for (std::size_t i = 0; i + 1 < columns; ++i) {
-      const std::array<std::array<std::size_t, 2>, 4> corners{{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}};
-      std::array<double, 4> v{};
-      for (std::size_t k = 0; k < 4; ++k) v[k] = map.values[corners[k][1] * columns + corners[k][0]];
-      if (!std::all_of(v.begin(), v.end(), [](double x) { return std::isfinite(x); })) continue;
-      std::vector<Point> cuts;
-      for (std::size_t k = 0; k < 4; ++k) {
-        const std::size_t n = (k + 1) % 4;
-        if ((v[k] < 0) == (v[n] < 0)) continue;
-        if (std::min(std::abs(v[k]), std::abs(v[n])) > limit) continue;
-        const double s = v[k] / (v[k] - v[n]);
-        cuts.push_back(to_page(frame, map.x[corners[k][0]] * (1 - s) + map.x[corners[n][0]] * s,
-                               map.y[corners[k][1]] * (1 - s) + map.y[corners[n][1]] * s));
-      }
-      if (cuts.size() == 2) strokes.push_back({cuts[0], cuts[1]});
-      if (cuts.size() == 4) {
-        const bool middle_like_first = (v[0] + v[1] + v[2] + v[3] < 0) == (v[0] < 0);
-        strokes.push_back({cuts[0], cuts[middle_like_first ? 1 : 3]});
-        strokes.push_back({cuts[2], cuts[middle_like_first ? 3 : 1]});
-      }
-    }
-  // Where a corner is zero itself, cells around it meet in a point.
-  const auto key = [](Point p) { return std::pair{std::lround(p.x * 1e6), std::lround(p.y * 1e6)}; };
-  std::erase_if(strokes, [&](const Stroke& s) { return key(s.front()) == key(s.back()); });
-  // Pieces that end where another begins become one stroke, so that line joins and dashes are those of a curve.
-  std::multimap<std::pair<long, long>, std::size_t> ends;
-  for (std::size_t k = 0; k < strokes.size(); ++k) ends.emplace(key(strokes[k].front()), k), ends.emplace(key(strokes[k].back()), k);
-  std::vector<bool> used(strokes.size());
-  std::vector<Stroke> joined;
-  for (std::size_t k = 0; k < strokes.size(); ++k) {
-    if (used[k]) continue;
-    used[k] = true;
-    Stroke line = strokes[k];
-    for (int side = 0; side < 2; ++side) {
-      for (bool grew = true; grew;) {
-        grew = false;
-        const auto [first, last] = ends.equal_range(key(line.back()));
-        for (auto it = first; it != last && !grew; ++it) {
-          if (used[it->second]) continue;
-          const Stroke& next = strokes[it->second];
-          line.push_back(key(next.front()) == key(line.back()) ? next.back() : next.front());
-          used[it->second] = grew = true;
-        }
-      }
-      std::reverse(line.begin(), line.end());
-    }
-    joined.push_back(line);
-  }
-  return joined;
+  std::vector<Stroke> strokes = zero_lines(map.x, map.y, map.values, colour_range(map).high);
+  for (Stroke& stroke : strokes)
+    for (Point& p : stroke) p = to_page(frame, p.x, p.y);
+  return strokes;
 }
 
 void draw_map(cairo_t* cr, const ColourMap& map, const Frame& frame) {

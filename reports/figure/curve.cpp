@@ -94,6 +94,16 @@ Trace trace(const std::vector<double>& x, const std::vector<double>& y, const Fr
   return result;
 }
 
+Trace trace_of_points(const std::vector<double>& x, const std::vector<double>& y, const Frame& frame) {
+  const Box box{0, 0, frame.width, frame.height};
+  Trace result;
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
+    if (!std::isfinite(x[i]) || !std::isfinite(y[i])) continue;
+    if (const Point p = to_page(frame, x[i], y[i]); box.contains(p)) result.dots.push_back(p);
+  }
+  return result;
+}
+
 Stroke decimate(const Stroke& points, double column_width) {
   Stroke kept;
   for (std::size_t begin = 0; begin < points.size();) {

@@ -19,7 +19,7 @@ struct Exit {
 // Everything in panel coordinates [pt]: origin at the top left corner of the frame, all points inside it.
 struct Trace {
   std::vector<Stroke> strokes;
-  std::vector<Point> dots;  // samples alone between two gaps
+  std::vector<Point> dots;  // samples alone between two gaps; of a series of points all that lie inside
   std::vector<Exit> exits;
 };
 
@@ -32,6 +32,7 @@ struct Frame {
 Point to_page(const Frame& frame, double x, double y);
 
 Trace trace(const std::vector<double>& x, const std::vector<double>& y, const Frame& frame);
+Trace trace_of_points(const std::vector<double>& x, const std::vector<double>& y, const Frame& frame);
 
 // Of each run of points in one column, its first, lowest, highest and last, in their order: the ink stays the same. [pt]
 Stroke decimate(const Stroke& points, double column);

@@ -12,11 +12,14 @@ struct Series {
   std::string label;         // plain text with Unicode, "l₁", "F₁"; empty: not in the legend
   std::vector<double> x, y;  // equally long; NaN or infinite y: gap
   int style = -1;            // index into palette and line styles; -1: position in the panel
+  bool points = false;       // a dot at every sample, and no line
 };
 
 struct Axis {
   std::string label;  // "time", "limb length"
   std::string unit;   // "s", "mm", "°"; empty: a plain number
+  // Of y: what stands at 0, 1, 2, ... from below, each on a row of its own, in the place of numbers; empty: numbers.
+  std::vector<std::string> names = {};
 };
 
 struct Band {  // shaded interval of x: samples that break a limit, or cannot be reached

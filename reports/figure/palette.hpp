@@ -30,6 +30,7 @@ constexpr double axis_width = 0.5;
 constexpr double grid_width = 0.3;
 constexpr double limit_width = 0.6;
 constexpr double dot_radius = 1.1;
+constexpr double mark_radius = 1.9;  // of a series of points
 
 constexpr double title_size = 8;  // [pt] text sizes
 constexpr double label_size = 7.5;

@@ -133,7 +133,7 @@ void draw_exits(cairo_t* cr, const Trace& trace, double height) {
   cairo_fill(cr);
 }
 
-void draw_curve(cairo_t* cr, const Trace& trace, const LineStyle& style, double height) {
+void draw_curve(cairo_t* cr, const Trace& trace, const LineStyle& style, double radius, double height) {
   set_colour(cr, style.colour);
   cairo_set_line_width(cr, curve_width);
   cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
@@ -146,14 +146,14 @@ void draw_curve(cairo_t* cr, const Trace& trace, const LineStyle& style, double 
   cairo_set_dash(cr, nullptr, 0, 0);
   for (const Point dot : trace.dots) {
     cairo_new_sub_path(cr);
-    cairo_arc(cr, dot.x, dot.y, dot_radius, 0, 2 * std::numbers::pi);
+    cairo_arc(cr, dot.x, dot.y, radius, 0, 2 * std::numbers::pi);
   }
   cairo_fill(cr);
   draw_exits(cr, trace, height);
 }
 
 // A light rim sets a curve off from whatever colour the map has there.
-void draw_casing(cairo_t* cr, const Trace& trace) {
+void draw_casing(cairo_t* cr, const Trace& trace, double radius) {
   for (const Stroke& stroke : trace.strokes) {
     cairo_new_sub_path(cr);
     for (const Point p : stroke) cairo_line_to(cr, p.x, p.y);
@@ -164,7 +164,7 @@ void draw_casing(cairo_t* cr, const Trace& trace) {
   cairo_stroke(cr);
   for (const Point dot : trace.dots) {
     cairo_new_sub_path(cr);
-    cairo_arc(cr, dot.x, dot.y, dot_radius + 0.7, 0, 2 * std::numbers::pi);
+    cairo_arc(cr, dot.x, dot.y, radius + 0.7, 0, 2 * std::numbers::pi);
   }
   cairo_fill(cr);
 }
@@ -191,9 +191,11 @@ void draw_panel(cairo_t* cr, const Panel& panel, const PanelLayout& layout) {
   draw_named(cr, layout.named);
   draw_axes(cr, layout);
   for (std::size_t i = 0; i < layout.traces.size(); ++i) {
-    if (panel.map) draw_casing(cr, layout.traces[i]);
-    draw_curve(cr, layout.traces[i], panel.map ? line_over_map(style_of(panel.series[i], i)) : line_style(style_of(panel.series[i], i)),
-               layout.frame.height);
+    const Series& series = panel.series[i];
+    const double radius = series.points ? mark_radius : dot_radius;
+    const int style = style_of(series, i);
+    if (panel.map) draw_casing(cr, layout.traces[i], radius);
+    draw_curve(cr, layout.traces[i], panel.map ? line_over_map(style) : line_style(style), radius, layout.frame.height);
   }
   draw_line_labels(cr, layout);
   draw_names(cr, layout.named);

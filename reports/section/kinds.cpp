@@ -18,6 +18,7 @@ namespace pmreport::section {
   KIND(singularity)                  \
   KIND(assembly)                     \
   KIND(workspace)                    \
+  KIND(study)                        \
   KIND(comparison)                   \
   KIND(classification)
 

@@ -28,7 +28,7 @@ std::vector<std::string> blocks(const std::string& language) {
 TEST_CASE("the first scenario of README.md makes a report") {
   const Workshop here;
   const auto scenarios = blocks("toml");
-  REQUIRE(scenarios.size() == 4);
+  REQUIRE(scenarios.size() == 5);
   // At a sixteenth of the size of its pictures, which are not the point.
   const std::string quick = with(scenarios[0], {{"times = [\"0 s\", \"1 s\"]", "times = [\"0 s\", \"1 s\"]\nsize = [400, 300]"}});
   here.write("first.toml", quick);
@@ -41,7 +41,7 @@ TEST_CASE("the first scenario of README.md makes a report") {
 TEST_CASE("the tables of forces, drives and limits in README.md make reports") {
   const Workshop here;
   const auto scenarios = blocks("toml");
-  REQUIRE(scenarios.size() == 4);
+  REQUIRE(scenarios.size() == 5);
   const std::string gravity = "[load]\ngravity = [\"0 m/s^2\", \"0 m/s^2\", \"-9.81 m/s^2\"]\n";
   const auto of = [&](const std::string& mechanism, const std::string& tables, const std::string& kinds) {
     std::string text = "title = \"t\"\n[mechanism]\nuse = \"" + mechanism + "\"\n" + gravity + tables;
@@ -60,6 +60,15 @@ TEST_CASE("the tables of forces, drives and limits in README.md make reports") {
     INFO(file << '\n' << result.out << result.err);
     CHECK(result.status == 0);
   }
+}
+
+TEST_CASE("the workspace of README.md makes a report") {
+  const Workshop here;
+  here.write("reach.toml", blocks("toml").at(3));
+  const Result report = pmreport({"reach.toml"}, {.folder = here.path()});
+  INFO(report.out << report.err);
+  CHECK(report.status == 0);
+  CHECK(std::filesystem::exists(here / "reach-report/data/workspace.csv"));
 }
 
 TEST_CASE("the installed program finds its plugins where it was installed") {
@@ -86,7 +95,7 @@ TEST_CASE("the pieces of a mechanism in README.md stand in plugins/delta/mechani
 
 TEST_CASE("the Delta's scenario of README.md makes a report") {
   const Workshop here;
-  here.write("around.toml", blocks("toml").at(3));
+  here.write("around.toml", blocks("toml").at(4));
   const Result result = pmreport({"around.toml"}, {.folder = here.path()});
   INFO(result.out << result.err);
   CHECK(result.status == 0);

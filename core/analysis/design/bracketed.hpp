@@ -11,9 +11,11 @@ namespace pmreport::analysis {
 struct Bracketed {
   double value = std::numeric_limits<double>::quiet_NaN();
   double low = value, high = value;
+  double resolution = 0;  // of a number that was counted on a grid: how far another grid may move it
 
   static Bracketed plain(double x) { return {x, x, x}; }
   static Bracketed between(double low, double high) { return {low + (high - low) / 2, low, high}; }
+  static Bracketed counted(double x, double resolution) { return {x, x, x, resolution}; }
   bool known() const { return std::isfinite(value); }
   double width() const { return high - low; }
 };

@@ -19,6 +19,7 @@ struct ScanRange {
 };
 
 struct WorkspaceRequest {
+  std::string name = "workspace";                      // of what a long scan keeps on disk
   std::vector<ScanMethod> methods{ScanMethod::proof};  // each once; the first gives the volume that is told
   std::vector<ScanRange> scan;                         // one coordinate or more
   Eigen::VectorXd at;                                  // coordinates that are not scanned; of no size: home

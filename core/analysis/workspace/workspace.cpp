@@ -56,6 +56,29 @@ scan::Watch watch_of(const Progress& progress, std::string what) {
   return out;
 }
 
+// The set without what must hold at every orientation, which its margins end with.
+scan::PoseSet without_every(const scan::PoseSet& set, std::size_t every) {
+  scan::PoseSet out = set;
+  out.rounding.resize(out.rounding.size() - every);
+  out.late.size -= every;
+  out.late.judge = [judge = set.late.judge, all = set.late.size, kept = out.late.size](std::size_t count, const double* poses, double* to) {
+    std::vector<double> margins(all * count);
+    judge(count, poses, margins.data());
+    std::copy_n(margins.begin(), kept * count, to);
+  };
+  if (out.late.size == 0) out.late = {};
+  return out;
+}
+
+// A point at which an orientation keeps all other limits and not those that must hold at every one has none that is accepted.
+void demand_every(Workspace& w, const scan::Watch& watch) {
+  scan::GridOptions options;
+  options.reasons = false;
+  const scan::GridCounts others = scan::count_grid(without_every(w.set, w.margins.every), w.scan, options, watch);
+  for (std::size_t k = 0; k < w.grid->accepted_at.size(); ++k)
+    if (w.grid->accepted_at[k] < others.accepted_at[k]) w.grid->accepted_at[k] = 0;
+}
+
 void count_the_grid(Workspace& w, const mechanics::Machine& machine, const Progress& progress) {
   scan::GridOptions options;
   options.reasons = w.request.reasons;
@@ -78,9 +101,9 @@ void count_the_grid(Workspace& w, const mechanics::Machine& machine, const Progr
   if (const double seconds = scan::seconds_needed(w.set, w.scan, options); seconds > told_before)
     progress.say(fmt::format("workspace: {:.3g} poses, about {:.0f} min at most", poses, std::ceil(seconds / 60)));
   if (!progress.checkpoints.empty())
-    options.checkpoint =
-        scan::Checkpoint{progress.checkpoints / fmt::format("grid-{:016x}", hash_of(w, options)), progress.resume, hash_of(w, options)};
+    options.checkpoint = scan::Checkpoint{progress.checkpoints / (w.request.name + ".scan"), progress.resume, hash_of(w, options)};
   w.grid = scan::count_grid(w.set, w.scan, options, watch_of(progress, "workspace, grid"));
+  if (w.margins.every > 0) demand_every(w, watch_of(progress, "workspace, every orientation"));
   std::vector<std::size_t> counts;
   for (const scan::Axis& a : w.scan.points) counts.push_back(a.count);
   w.components = scan::components(counts, w.grid->accepted_at);
@@ -97,8 +120,7 @@ void prove(Workspace& w, const Progress& progress) {
       const std::string& name = w.margins.limits[static_cast<std::size_t>(w.margins.margins[m].limit)].name;
       if (names.empty() || names.back() != name) names.push_back(name);
     }
-    w.not_proved = fmt::format("no proof looks at {}: readings, pressure angles and condition numbers are counted on grids alone",
-                               listed(names, "and"));
+    w.not_proved = fmt::format("no proof looks at {}: readings and indices are judged pose by pose", listed(names, "and"));
     return;
   }
   scan::VolumeOptions options;

@@ -1,6 +1,7 @@
 #include <core/mechanics/workspace/late_limits.hpp>
 
 #include <core/linear/singular_values.hpp>
+#include <core/linear/square.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/model/overall_jacobian.hpp>
 #include <core/mechanics/workspace/limb_line.hpp>
@@ -8,7 +9,7 @@
 #include <core/program/derivative.hpp>
 
 #include <fmt/format.h>
-#include <Eigen/LU>
+#include <Eigen/Eigenvalues>
 
 #include <cmath>
 #include <numeric>
@@ -16,6 +17,8 @@
 namespace pmreport::mechanics {
 
 namespace {
+
+using linear::Matrix6d;
 
 struct Drive {
   int near = 0, far = 0;  // joints at its ends
@@ -33,9 +36,9 @@ std::optional<std::vector<Drive>> drives_of(const Machine& machine, std::string*
       return j.a == body || j.b == body;
     };
     const std::optional<LimbLine> line = limb_line(machine, limb);
-    const bool telescopic =
-        slide.kind == JointKind::prismatic && line && limb == t.bodies[static_cast<std::size_t>(slide.a)].limb &&
-        ((holds(line->from, slide.a) && holds(line->to, slide.b)) || (holds(line->from, slide.b) && holds(line->to, slide.a)));
+    const auto between = [&](int from, int to) { return holds(line->from, from) && holds(line->to, to); };
+    const bool telescopic = slide.kind == JointKind::prismatic && line && limb == t.bodies[static_cast<std::size_t>(slide.a)].limb &&
+                            (between(slide.a, slide.b) || between(slide.b, slide.a));
     if (!telescopic) {
       if (why != nullptr) *why = fmt::format("the pressure angle of {} is not known: it is no drive along a limb that is a line", a.name);
       return std::nullopt;
@@ -45,9 +48,8 @@ std::optional<std::vector<Drive>> drives_of(const Machine& machine, std::string*
   return out;
 }
 
-// Outputs: the actuators, then of each drive its far end from its near end, then the partials of all of these.
+// Outputs: the actuators, then of each drive its near and its far end, then the partials of all of these.
 program::Program motions_of_drives(const Machine& machine, const std::vector<Drive>& drives) {
-  const program::Program& geometry = *machine.program();
   const Layout& layout = machine.layout();
   std::vector<int> outputs;
   for (std::size_t i = 0; i < drives.size(); ++i) outputs.push_back(static_cast<int>(layout.actuator(static_cast<int>(i))));
@@ -56,7 +58,23 @@ program::Program motions_of_drives(const Machine& machine, const std::vector<Dri
       for (int k = 0; k < 3; ++k) outputs.push_back(static_cast<int>(layout.joint(joint)) + k);
   std::vector<int> by(static_cast<std::size_t>(machine.dof()));
   std::iota(by.begin(), by.end(), 0);
-  return program::partials(geometry.slice(outputs), by);
+  return program::partials(machine.program()->slice(outputs), by);
+}
+
+program::Program wrenches_of(const Machine& machine) {
+  std::vector<int> outputs(36);
+  std::iota(outputs.begin(), outputs.end(), static_cast<int>(machine.layout().size()));
+  return machine.program()->slice(outputs);
+}
+
+// Of m' m, three by two or three by three, the root of the largest eigenvalue.
+double largest_singular_value(const Eigen::Matrix3d& m, bool two_columns) {
+  if (two_columns) {
+    const double a = m.col(0).squaredNorm(), b = m.col(0).dot(m.col(1)), c = m.col(1).squaredNorm();
+    return std::sqrt(0.5 * (a + c + std::hypot(a - c, 2 * b)));
+  }
+  if (!m.allFinite()) return std::nan("");
+  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(m.transpose() * m, Eigen::EigenvaluesOnly).eigenvalues()(2));
 }
 
 }  // namespace
@@ -65,36 +83,49 @@ bool pressure_known(const Machine& machine, std::string* why) { return drives_of
 
 struct LateLimits::Work {
   struct Asked {
-    enum class Of { reading, pressure, condition } of;
-    int reading;
+    enum class Of { reading, pressure, condition, compliance } of;
     double min, max;
+    int reading = 0;
+    double drive_stiffness = 0;
+    bool horizontal = false;
+
+    bool lower() const { return std::isfinite(min); }
+    bool upper() const { return std::isfinite(max); }
+    std::size_t ends() const { return (lower() ? 1u : 0u) + (upper() ? 1u : 0u); }
   };
   const Machine& machine;
-  std::vector<Asked> asked;
+  std::vector<Asked> asked = {};
   std::vector<Drive> drives = {};
-  program::Program motions = {};
+  program::Program motions = {}, wrenches = {};
   double length = 0;
 
   void judge(std::size_t count, const double* poses, double* out) const;
   std::size_t pressures(std::size_t count, const double* poses, const Asked& a, double* out) const;
+  double index(const Asked& a, const Matrix6d& g) const;
 };
 
-LateLimits::LateLimits(const Machine& machine) : work_(std::make_shared<Work>(Work{machine, {}})) {}
+LateLimits::LateLimits(const Machine& machine) : work_(std::make_shared<Work>(Work{machine})) {}
 LateLimits::~LateLimits() = default;
 
-void LateLimits::add_reading(int reading, double min, double max) { work_->asked.push_back({Work::Asked::Of::reading, reading, min, max}); }
+void LateLimits::add_reading(int reading, double min, double max) { work_->asked.push_back({Work::Asked::Of::reading, min, max, reading}); }
 
 void LateLimits::add_pressure(double min, double max) {
   if (work_->drives.empty()) {
     work_->drives = drives_of(work_->machine, nullptr).value_or(std::vector<Drive>());
     work_->motions = motions_of_drives(work_->machine, work_->drives);
   }
-  work_->asked.push_back({Work::Asked::Of::pressure, 0, min, max});
+  work_->asked.push_back({Work::Asked::Of::pressure, min, max});
 }
 
 void LateLimits::add_condition(double min, double max) {
   work_->length = characteristic_length(work_->machine);
-  work_->asked.push_back({Work::Asked::Of::condition, 0, min, max});
+  work_->wrenches = wrenches_of(work_->machine);
+  work_->asked.push_back({Work::Asked::Of::condition, min, max});
+}
+
+void LateLimits::add_compliance(double drive_stiffness, bool horizontal, double min, double max) {
+  work_->wrenches = wrenches_of(work_->machine);
+  work_->asked.push_back({Work::Asked::Of::compliance, min, max, 0, drive_stiffness, horizontal});
 }
 
 std::function<void(std::size_t, const double*, double*)> LateLimits::judge() const {
@@ -109,13 +140,12 @@ std::size_t LateLimits::Work::pressures(std::size_t count, const double* poses, 
   batch.run(count, poses, numbers.data());
   const auto value = [&](std::size_t o, std::size_t k) { return numbers[o * count + k]; };
   const auto partial = [&](std::size_t o, std::size_t by, std::size_t k) { return numbers[(values + o * n + by) * count + k]; };
-  const bool lower = std::isfinite(a.min), upper = std::isfinite(a.max);
-  const std::size_t ends = (lower ? 1 : 0) + (upper ? 1 : 0);
-  linear::SmallMatrix rates(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
   for (std::size_t k = 0; k < count; ++k) {
+    // Of five freedoms the sixth row and column are those of the unit matrix, and stand aside.
+    Matrix6d rates = Matrix6d::Identity();
     for (std::size_t r = 0; r < n; ++r)
       for (std::size_t c = 0; c < n; ++c) rates(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = partial(r, c, k);
-    const linear::SmallMatrix moved = rates.inverse();
+    const Matrix6d moved = linear::inverse(rates);
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t near = n + 6 * i, far = near + 3;
       Eigen::Vector3d line, v = Eigen::Vector3d::Zero();
@@ -126,37 +156,50 @@ std::size_t LateLimits::Work::pressures(std::size_t count, const double* poses, 
               (partial(far + x, c, k) - partial(near + x, c, k)) * moved(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(i));
       }
       const double speed = v.norm(), cosine = speed > 0 ? std::abs(line.dot(v)) / (line.norm() * speed) : speed == 0 ? 0 : std::nan("");
-      if (lower) out[(ends * i) * count + k] = std::cos(a.min) - cosine;
-      if (upper) out[(ends * i + (lower ? 1 : 0)) * count + k] = cosine - std::cos(a.max);
+      if (a.lower()) out[a.ends() * i * count + k] = std::cos(a.min) - cosine;
+      if (a.upper()) out[(a.ends() * i + (a.lower() ? 1 : 0)) * count + k] = cosine - std::cos(a.max);
     }
   }
-  return ends * n;
+  return a.ends() * n;
+}
+
+double LateLimits::Work::index(const Asked& a, const Matrix6d& g) const {
+  if (!g.allFinite()) return std::nan("");
+  if (a.of == Asked::Of::condition) {
+    const linear::Vector6d s = linear::singular_values(dimensionless(machine, g, length));
+    return s(0) / s(5);
+  }
+  const Matrix6d moved = linear::inverse(g);
+  const auto actuated = moved.leftCols(static_cast<Eigen::Index>(machine.topology().actuators.size())).topRows<3>();
+  return largest_singular_value(actuated * actuated.transpose() / a.drive_stiffness, a.horizontal);
 }
 
 void LateLimits::Work::judge(std::size_t count, const double* poses, double* out) const {
   const auto n = static_cast<std::size_t>(machine.dof());
-  std::vector<double> q(n);
+  std::vector<double> q(n), rows;
+  if (!wrenches.outputs().empty()) {
+    rows.resize(36 * count);
+    program::Batch(wrenches).run(count, poses, rows.data());
+  }
   for (const Asked& a : asked) {
     if (a.of == Asked::Of::pressure) {
       out += pressures(count, poses, a, out) * count;
       continue;
     }
-    const bool lower = std::isfinite(a.min), upper = std::isfinite(a.max);
     for (std::size_t k = 0; k < count; ++k) {
-      for (std::size_t i = 0; i < n; ++i) q[i] = poses[i * count + k];
       double value = std::nan("");
-      if (const Pose pose = machine.pose(q); pose.status == PM_OK) {
-        if (a.of == Asked::Of::reading) {
-          value = machine.readings(q, pose)[static_cast<std::size_t>(a.reading)];
-        } else if (const Jacobian g = machine.jacobian(pose); g.known()) {
-          const linear::Vector6d s = linear::singular_values(dimensionless(machine, g.matrix, length));
-          value = s(0) / s(5);
-        }
+      if (a.of == Asked::Of::reading) {
+        for (std::size_t i = 0; i < n; ++i) q[i] = poses[i * count + k];
+        if (const Pose pose = machine.pose(q); pose.status == PM_OK) value = machine.readings(q, pose)[static_cast<std::size_t>(a.reading)];
+      } else {
+        Matrix6d g;
+        for (Eigen::Index e = 0; e < 36; ++e) g(e / 6, e % 6) = rows[static_cast<std::size_t>(e) * count + k];
+        value = index(a, g);
       }
-      if (lower) out[k] = value - a.min;
-      if (upper) out[(lower ? count : 0) + k] = a.max - value;
+      if (a.lower()) out[k] = value - a.min;
+      if (a.upper()) out[(a.lower() ? count : 0) + k] = a.max - value;
     }
-    out += ((lower ? 1u : 0u) + (upper ? 1u : 0u)) * count;
+    out += a.ends() * count;
   }
 }
 

@@ -6,6 +6,10 @@
 // still:
 //     cos = |f . v| / |v|,   0 where v = 0
 // (Glazunov et al. 2008; definitions of transmission as in Takeda and Funabashi 1995).
+//
+// With J the columns of G^-1 that belong to actuators, t = J r', a wrench W on the platform meets the drives with J^T W, which yield by it
+// over their stiffness k, and the platform with them: the compliance is J J^T / k, and the largest displacement by a force is the largest
+// singular value of its first three rows and the columns of that force.
 #pragma once
 
 #include <core/mechanics/model/machine.hpp>
@@ -28,6 +32,7 @@ class LateLimits {
   void add_reading(int reading, double min, double max);
   void add_pressure(double min, double max);
   void add_condition(double min, double max);
+  void add_compliance(double drive_stiffness, bool horizontal, double min, double max);
   // Of `count` poses, input i of pose k at [i * count + k]: margin m to [m * count + k], in the order in which they were added. NaN where a
   // number does not exist. May be called by several threads; the machine must live as long.
   std::function<void(std::size_t count, const double* poses, double* out)> judge() const;

@@ -132,6 +132,34 @@ void add_distances(MarginRecorder& margins, const Recordings& at, const Machine&
   }
 }
 
+// The part of a limit that no program gives.
+void add_late(MarginRecorder& margins, LateLimits& late, const Machine& machine, const MotionProgram& motion, const AskedLimit& asked) {
+  const bool lower = std::isfinite(asked.min), upper = std::isfinite(asked.max);
+  const auto named = [&](const std::string& own) { return asked.name.empty() ? own : asked.name; };
+  if (const auto* value = std::get_if<AskedValue>(&asked.what))
+    for (const Found& f : values_named(machine, &motion, value->name))
+      if (f.reading >= 0) {
+        margins.add_late({Group::values, f.name, f.title, f.unit, asked.min, asked.max}, lower, upper);
+        late.add_reading(f.reading, asked.min, asked.max);
+      }
+  if (std::holds_alternative<AskedPressure>(asked.what)) {
+    for (const Actuator& a : machine.topology().actuators)
+      margins.add_late({Group::pressure, named("pressure") + " " + a.name, "pressure angle of " + a.name, "rad", asked.min, asked.max},
+                       lower, upper);
+    late.add_pressure(asked.min, asked.max);
+  }
+  if (std::holds_alternative<AskedCondition>(asked.what)) {
+    margins.add_late({Group::condition, named("condition"), "condition number of the overall Jacobian", "", asked.min, asked.max}, lower,
+                     upper);
+    late.add_condition(asked.min, asked.max);
+  }
+  if (const auto* c = std::get_if<AskedCompliance>(&asked.what)) {
+    margins.add_late({Group::compliance, named("compliance"), "largest displacement by a force", "m/N", asked.min, asked.max}, lower,
+                     upper);
+    late.add_compliance(c->drive_stiffness, c->horizontal, asked.min, asked.max);
+  }
+}
+
 }  // namespace
 
 const char* name_of(PoseLimit::Group group) {
@@ -152,6 +180,8 @@ const char* name_of(PoseLimit::Group group) {
       return "pressure";
     case Group::condition:
       return "condition";
+    case Group::compliance:
+      return "compliance";
   }
   return "";
 }
@@ -217,26 +247,14 @@ std::optional<PoseMargins> pose_margins(const Machine& machine, const LimitChoic
         if (f.output) margins.add_output({Group::values, f.name, f.title, f.unit, asked.min, asked.max}, *f.output);
     if (const auto* distance = std::get_if<AskedDistance>(&asked.what)) add_distances(margins, at, machine, asked, *distance);
   }
-  // What no program gives stands behind.
+  // What no program gives stands behind, and behind it what must hold at every orientation.
   LateLimits late(machine);
-  for (const AskedLimit& asked : choice.asked) {
-    const bool lower = std::isfinite(asked.min), upper = std::isfinite(asked.max);
-    if (const auto* value = std::get_if<AskedValue>(&asked.what))
-      for (const Found& f : values_named(machine, &*motion, value->name))
-        if (f.reading >= 0) {
-          margins.add_late({Group::values, f.name, f.title, f.unit, asked.min, asked.max}, lower, upper);
-          late.add_reading(f.reading, asked.min, asked.max);
-        }
-    if (std::holds_alternative<AskedPressure>(asked.what)) {
-      for (const Actuator& a : machine.topology().actuators)
-        margins.add_late({Group::pressure, "pressure " + a.name, "pressure angle of " + a.name, "rad", asked.min, asked.max}, lower, upper);
-      late.add_pressure(asked.min, asked.max);
-    }
-    if (std::holds_alternative<AskedCondition>(asked.what)) {
-      margins.add_late({Group::condition, "condition", "condition number of the overall Jacobian", "", asked.min, asked.max}, lower, upper);
-      late.add_condition(asked.min, asked.max);
-    }
-  }
+  for (const AskedLimit& asked : choice.asked)
+    if (!asked.every) add_late(margins, late, machine, *motion, asked);
+  const std::size_t alone = out.late;
+  for (const AskedLimit& asked : choice.asked)
+    if (asked.every) add_late(margins, late, machine, *motion, asked);
+  out.every = out.late - alone;
   if (out.late > 0) out.judge_late = late.judge();
   try {
     out.program = recorder.finish(margins.outputs);

@@ -26,7 +26,9 @@ class Judge {
   // Returns the accepted poses by their numbers, ascending, until the next run, and adds all that is counted but the poses to `tally`.
   std::span<const std::uint32_t> run(std::size_t count, const double* points, const double* others, std::span<const Verdict> verdicts,
                                      Tally& tally);
-  // Of the poses that the last run accepted: the plan's sign program. The points of the run must still stand.
+  // Of the poses that the last run accepted: is_on_a_limit or is_kept (kernel.hpp).
+  std::span<const double> known() const { return {known_.data(), accepted_.count}; }
+  // Of these too: the plan's sign program. The points of the run must still stand.
   std::span<const double> signs();
 
  private:

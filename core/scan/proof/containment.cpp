@@ -83,18 +83,18 @@ Containment::Answer Containment::ask(std::span<const Bounds> sides, const std::o
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       const Verdict& verdict = examination.verdicts[k];
       if (verdict.kind == Verdict::Kind::inside) continue;
-      if (verdict.middle >= 0 && relations[k].middle_in) return {Kind::outside, verdict.middle};
-      if (verdict.kind == Verdict::Kind::outside && relations[k].nearest_in) return {Kind::outside, verdict.margin};
+      if (verdict.middle >= 0 && relations[k].middle_in) return {Kind::outside, margins_.part_of(verdict.middle)};
+      if (verdict.kind == Verdict::Kind::outside && relations[k].nearest_in) return {Kind::outside, margins_.part_of(verdict.margin)};
       open.push_back(k);
     }
     std::ranges::stable_sort(open, std::greater<>(), [&](std::size_t k) { return examination.verdicts[k].depth; });
-    if (!open.empty() && looked_at >= most_boxes_) return {Kind::open, examination.verdicts[open.back()].margin};
+    if (!open.empty() && looked_at >= most_boxes_) return {Kind::open, margins_.part_of(examination.verdicts[open.back()].margin)};
     for (const std::size_t k : open) {
       const Verdict& verdict = examination.verdicts[k];
       if (verdict.kind == Verdict::Kind::open)
         pieces[k].question.set = number_of(examination.sets.bits(verdict.set), pieces[k].question.set);
       std::optional<Piece> other = halve(pieces[k], std::span(examination.blame).subspan(k * axes, axes));
-      if (!other) return {Kind::open, verdict.margin};
+      if (!other) return {Kind::open, margins_.part_of(verdict.margin)};
       stack.push_back(std::move(pieces[k]));
       stack.push_back(std::move(*other));
     }

@@ -5,6 +5,7 @@
 #include <core/scenario/motion/laws.hpp>
 #include <core/scenario/motion/spline.hpp>
 #include <core/scenario/motion/unwrap.hpp>
+#include <core/scenario/read/beside.hpp>
 #include <core/scenario/read/csv.hpp>
 #include <core/text/text.hpp>
 #include <memory>
@@ -74,30 +75,6 @@ std::optional<bool> read_unwrap(const Entry* entry, const Reader& reader) {
   return entry != nullptr ? reader.boolean(entry->value) : std::nullopt;
 }
 
-// A file of the scenario's own folder. Whoever sends a scenario around shall not read other files with it: no way up, no absolute path, no
-// link out of the folder, and nothing but regular files, since a device or a pipe may never end.
-std::optional<std::filesystem::path> resolve(const std::string& given, Place place, const std::filesystem::path& scenario,
-                                             Diagnostics& diagnostics) {
-  namespace fs = std::filesystem;
-  const fs::path relative(std::u8string(given.begin(), given.end()));
-  const auto refuse = [&](const std::string& why) {
-    diagnostics.add(place, fmt::format("expected a file in the folder of the scenario, seen {}: {}", in_quotes(given), why));
-    return std::nullopt;
-  };
-  if (given.empty() || given.find('\0') != std::string::npos) return refuse("no name of a file");
-  if (relative.is_absolute()) return refuse("an absolute path");
-  if (std::find(relative.begin(), relative.end(), fs::path("..")) != relative.end()) return refuse("it leads out of the folder");
-  std::error_code error;
-  const fs::path folder = fs::canonical(scenario.has_parent_path() ? scenario.parent_path() : fs::path("."), error);
-  if (error) return refuse("the folder of the scenario cannot be found");
-  const fs::path file = fs::canonical(folder / relative, error);
-  if (error) return refuse("there is no such file");
-  if (std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first != folder.end())
-    return refuse("a link leads out of the folder");
-  if (!fs::is_regular_file(file, error) || error) return refuse("not a regular file");
-  return file;
-}
-
 }  // namespace
 
 std::optional<Laws> read_waypoints(const Entry& waypoints, const Through& how, const Movables& movables, const Reader& reader) {
@@ -161,9 +138,9 @@ std::optional<Laws> read_motion_file(const Entry& entry, const Through& how, con
                                      const std::filesystem::path& scenario, const Reader& reader) {
   Diagnostics& diagnostics = reader.diagnostics();
   const auto given = reader.text(entry.value);
-  const auto path = given ? resolve(*given, entry.value.place, scenario, diagnostics) : std::nullopt;
+  const auto path = given ? file_beside(*given, entry.value.place, scenario, diagnostics) : std::nullopt;
   if (!path) return std::nullopt;
-  const std::string shown = printable(scenario.has_parent_path() ? (scenario.parent_path() / *given).string() : *given);
+  const std::string shown = shown_beside(*given, scenario);
   auto table = read_number_table(*path, shown, max_samples, diagnostics);
   if (!table) return std::nullopt;
 

@@ -1,3 +1,4 @@
+#include <core/scenario/read/beside.hpp>
 #include <core/scenario/section/reading.hpp>
 #include <core/text/digits.hpp>
 
@@ -63,6 +64,26 @@ std::optional<Eigen::VectorXd> read_pose(const Value& value, const std::string& 
     if (x) q(i) = *x;
   }
   return sound ? std::optional(q) : std::nullopt;
+}
+
+std::shared_ptr<const Loaded> read_other_scenario(const Value& value, const Origin& origin, const Reader& reader) {
+  if (origin.named) return nullptr;
+  const auto given = reader.text(value);
+  const auto file = given ? file_beside(*given, value.place, origin.file, reader.diagnostics()) : std::nullopt;
+  if (!file) return nullptr;
+  std::error_code error;
+  if (std::filesystem::equivalent(origin.file, *file, error)) {
+    reader.diagnostics().add(value.place, fmt::format("expected another scenario, seen {}, this one", in_quotes(*given)),
+                             "leave scenario out where this one is meant");
+    return nullptr;
+  }
+  const std::filesystem::path named = origin.file.has_parent_path() ? origin.file.parent_path() / *given : std::filesystem::path(*given);
+  try {
+    return std::make_shared<const Loaded>(load({named, origin.source, origin.kinds, true}));
+  } catch (const ScenarioError& e) {
+    for (const Diagnostic& d : e.diagnostics) reader.diagnostics().add(d);
+    return nullptr;
+  }
 }
 
 }  // namespace pmreport::scenario

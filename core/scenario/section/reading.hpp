@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <core/scenario/section/section_part.hpp>
 #include <core/text/text.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct Reading {
   const std::optional<TimeSpan>& span;  // of the motion; nothing when it is not known, empty when there is none
   const MechanismPart& mechanism;
   const Measurable* measurable = nullptr;  // what can be named of all sections; for late keys alone
+  const Origin* origin = nullptr;          // of the scenario; never null
 };
 
 // A time that must lie within the motion; told when it does not, or when there is no motion.
@@ -30,6 +32,10 @@ int index_of(const Topology& topology, const std::string& name);
 // A pose by its coordinates; those left out stay at home. Nothing, told, when it is none. The mechanism's topology must be known.
 std::optional<Eigen::VectorXd> read_pose(const Value& value, const std::string& where, const MechanismPart& mechanism,
                                          const Reader& reader);
+
+// The scenario in a file beside this one, as the text in `value` names it. Nothing where it cannot be read; what is wrong with it is told
+// with its own lines. A scenario that is read for another one reads no further ones, so that two may name each other.
+std::shared_ptr<const Loaded> read_other_scenario(const Value& value, const Origin& origin, const Reader& reader);
 
 // Adds what `list` does not have yet; else tells.
 template <class T>

@@ -20,7 +20,7 @@ struct GivenTable {
 // A section whose kind cannot be read keeps none. `drives`: what [drive] says.
 std::vector<Section> read_sections(const Entry* entry, Kinds kinds, const std::optional<TimeSpan>& span, const MechanismPart& mechanism,
                                    std::span<const GivenTable> tables, const std::vector<mechanics::DriveTrain>& drives,
-                                   const Reader& reader);
+                                   const Origin& origin, const Reader& reader);
 
 // Whether any of the sections as written needs a motion; a file without sections would.
 bool need_motion(const Entry* sections, Kinds kinds);

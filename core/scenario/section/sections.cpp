@@ -44,6 +44,7 @@ struct Late {
   const Key* key;
   const Entry* entry;
   std::shared_ptr<Options> options;
+  bool of_others;  // its section is made of numbers of the others
 };
 
 void read_keys(const SectionKind& kind, TableReader& table, const Reading& reading, Section& section, std::vector<Late>& late) {
@@ -54,7 +55,7 @@ void read_keys(const SectionKind& kind, TableReader& table, const Reading& readi
     const Entry* entry = key.required() ? table.need(key.name, key.example) : table.find(key.name);
     if (entry == nullptr) continue;
     if (key.late)
-      late.push_back({&key, entry, options});
+      late.push_back({&key, entry, options, kind.needs.values_of_others});
     else
       key.read(*entry, reading, *options);
   }
@@ -92,13 +93,13 @@ Needs& Needs::operator|=(const Needs& more) {
 
 std::vector<Section> read_sections(const Entry* entry, Kinds kinds, const std::optional<TimeSpan>& span, const MechanismPart& mechanism,
                                    std::span<const GivenTable> tables, const std::vector<mechanics::DriveTrain>& drives,
-                                   const Reader& reader) {
+                                   const Origin& origin, const Reader& reader) {
   const auto contents = tables_of(entry, "section", reader);
   const std::vector<std::string> names = names_of(kinds);
   if (contents.empty() && (entry == nullptr || entry->value.kind == Value::Kind::array))
     reader.diagnostics().add(entry != nullptr ? entry->place : Place{}, "expected at least one section, and there is none",
                              fmt::format("write [[section]] and kind = \"displacement\"; the kinds are {}", listed(names, "and")));
-  const Reading reading{reader, span, mechanism};
+  const Reading reading{reader, span, mechanism, nullptr, &origin};
   std::vector<Section> out;
   std::vector<Place> kinds_at;
   std::vector<Late> late;
@@ -125,7 +126,9 @@ std::vector<Section> read_sections(const Entry* entry, Kinds kinds, const std::o
   }
   match_tables(out, kinds_at, kinds, tables, reader);
   const Measurable measurable{out, mechanism.topology, span, drives, kinds};
-  for (const Late& l : late) l.key->read(*l.entry, {reader, span, mechanism, &measurable}, *l.options);
+  // What names numbers of sections comes after what decides which numbers they have.
+  std::ranges::stable_partition(late, [](const Late& l) { return !l.of_others; });
+  for (const Late& l : late) l.key->read(*l.entry, {reader, span, mechanism, &measurable, &origin}, *l.options);
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <reports/figure/colour_map.hpp>
 #include <reports/figure/colour_scale.hpp>
@@ -64,6 +65,11 @@ double cost(const Legend& legend, const Box& box, const Ground& ground, double w
 void draw_swatch(cairo_t* cr, const Key& key, double x, double middle) {
   if (key.kind == Key::Kind::fill) {
     draw_fill(cr, key.style, {x, middle - 3.25, swatch, 6.5});
+  } else if (key.kind == Key::Kind::points || key.kind == Key::Kind::points_over_map) {
+    set_colour(cr, (key.kind == Key::Kind::points ? line_style(key.style) : line_over_map(key.style)).colour);
+    cairo_new_sub_path(cr);
+    cairo_arc(cr, x + swatch / 2, middle, mark_radius, 0, 2 * std::numbers::pi);
+    cairo_fill(cr);
   } else if (key.kind != Key::Kind::limit && key.kind != Key::Kind::unreachable) {
     const LineStyle style = key.kind == Key::Kind::curve      ? line_style(key.style)
                             : key.kind == Key::Kind::over_map ? line_over_map(key.style)
@@ -88,7 +94,9 @@ int style_of(const Series& series, std::size_t position) { return series.style >
 std::vector<Key> keys_of(const Panel& panel) {
   std::vector<Key> keys;
   for (std::size_t i = 0; i < panel.series.size(); ++i) {
-    const Key::Kind kind = panel.map ? Key::Kind::over_map : Key::Kind::curve;
+    const Key::Kind kind = panel.series[i].points ? (panel.map ? Key::Kind::points_over_map : Key::Kind::points)
+                           : panel.map            ? Key::Kind::over_map
+                                                  : Key::Kind::curve;
     if (!panel.series[i].label.empty()) keys.push_back({kind, panel.series[i].label, style_of(panel.series[i], i)});
   }
   const auto any = [&](Band::Kind kind) {

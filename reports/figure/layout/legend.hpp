@@ -12,7 +12,8 @@
 namespace pmreport::figure {
 
 struct Key {
-  enum class Kind { curve, limit, unreachable, over_map, contour, named, fill } kind;  // over_map: a curve that lies over a map
+  // over_map: a curve that lies over a map; points: dots, points_over_map likewise
+  enum class Kind { curve, limit, unreachable, over_map, contour, named, fill, points, points_over_map } kind;
   std::string label;
   int style = 0;  // of a curve; the dash of a named line; the class of a fill
 };

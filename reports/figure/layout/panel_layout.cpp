@@ -45,12 +45,21 @@ Scale vertical_scale(Interval range, double height) {
   }
 }
 
+// Names in the place of numbers.
+Scale rows_of(const std::vector<std::string>& names, Interval range) {
+  Scale scale;
+  scale.low = range.low, scale.high = range.high;
+  for (std::size_t k = 0; k < names.size(); ++k) scale.major.push_back({static_cast<double>(k), names[k]});
+  return scale;
+}
+
 // Everything but the legend, for one range of y.
 void fill(const Panel& panel, Interval y, double width, double height, PanelLayout& layout) {
   layout.window = {width, height, {layout.x.low, layout.x.high}, y};
-  layout.y = vertical_scale(y, height);
+  layout.y = panel.y.names.empty() ? vertical_scale(y, height) : rows_of(panel.y.names, y);
   layout.traces.clear();
-  for (const Series& series : panel.series) layout.traces.push_back(trace(series.x, series.y, layout.window));
+  for (const Series& series : panel.series)
+    layout.traces.push_back(series.points ? trace_of_points(series.x, series.y, layout.window) : trace(series.x, series.y, layout.window));
   layout.limit_bands = band_boxes(panel.bands, Band::Kind::limit, layout.window);
   layout.unreachable_bands = band_boxes(panel.bands, Band::Kind::unreachable, layout.window);
   layout.lines.clear();
@@ -65,7 +74,7 @@ Occupancy ink_of(const PanelLayout& layout) {
     for (const Stroke& stroke : trace.strokes) {
       for (std::size_t i = 0; i + 1 < stroke.size(); ++i) ink.mark(stroke[i], stroke[i + 1]);
     }
-    for (const Point dot : trace.dots) ink.mark(Box{dot.x, dot.y, 0, 0}.grown(dot_radius));
+    for (const Point dot : trace.dots) ink.mark(Box{dot.x, dot.y, 0, 0}.grown(mark_radius));
     for (const Exit& exit : trace.exits) {
       ink.mark(Box{exit.x - exit_mark / 2, exit.above ? 0 : layout.window.height - exit_mark, exit_mark, exit_mark});
     }

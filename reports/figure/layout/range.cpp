@@ -14,6 +14,7 @@ constexpr double near = 1.5;            // ranges: a limit line farther from the
 constexpr double spike = 20;            // core widths: values farther from the core are spikes
 constexpr double kept = 1.0;            // core widths shown beyond the core on the side of a spike
 constexpr double tail = 0.05;           // share of a curve's values outside its core, on each side
+constexpr double row_margin = 0.6;      // beyond the first and the last row of names
 constexpr std::size_t few_values = 20;  // too few to tell a spike from the rest
 
 struct Hull {
@@ -52,6 +53,10 @@ Hull without_spikes(const Hull& full, const Hull& core) {
   return shown;
 }
 
+bool has_points(const Panel& panel) {
+  return std::any_of(panel.series.begin(), panel.series.end(), [](const Series& series) { return series.points; });
+}
+
 Hull hull_of_data(const Panel& panel) {
   Hull full, core;
   for (const Series& series : panel.series) {
@@ -67,7 +72,8 @@ Hull hull_of_data(const Panel& panel) {
   for (const NamedLine& line : panel.named)
     for (std::size_t i = 0; i < std::min(line.x.size(), line.y.size()); ++i)
       if (std::isfinite(line.x[i]) && std::isfinite(line.y[i])) full.include(std::clamp(line.y[i], -largest, largest));
-  return full.empty() || panel.equal || core.empty() ? full : without_spikes(full, core);
+  // A point that lies apart is no spike of a curve.
+  return full.empty() || panel.equal || has_points(panel) || core.empty() ? full : without_spikes(full, core);
 }
 
 }  // namespace
@@ -93,12 +99,13 @@ Interval x_range(const Panel& panel) {
       if (std::isfinite(x)) hull.include(x);
   if (hull.empty()) return {0, 1};
   const Interval base = widened({hull.low, hull.high});
-  const double pad = panel.equal ? margin * (base.high - base.low) : 0;
+  const double pad = panel.equal || has_points(panel) ? margin * (base.high - base.low) : 0;
   return {base.low - pad, base.high + pad};
 }
 
 Interval y_range(const Panel& panel, double headroom) {
   if (panel.map) return widened({panel.map->y.front(), panel.map->y.back()});
+  if (!panel.y.names.empty()) return {-row_margin, static_cast<double>(panel.y.names.size()) - 1 + row_margin};
   const Hull data = hull_of_data(panel);
   if (data.empty()) return {0, 1};
   const Interval base = widened({data.low, data.high});

@@ -21,7 +21,8 @@ namespace {
 constexpr std::size_t most_limbs = 100;
 constexpr const char* forms =
     "write angle = [1, 2] and against = \"base z\", or value = \"hinge_c1\", or distance = [1, 2, 3], or index = \"pressure\"";
-const std::vector<std::string> indices{"pressure", "condition"};
+const std::vector<std::string> indices{"pressure", "condition", "compliance"};
+const std::vector<std::string> forces{"any", "horizontal"};
 const std::vector<std::string> directions{"base x",     "base y",     "base z",     "-base x",     "-base y",     "-base z",
                                           "platform x", "platform y", "platform z", "-platform x", "-platform y", "-platform z"};
 
@@ -72,6 +73,7 @@ std::optional<mechanics::Direction> read_direction(const Value& v, const Reading
 std::optional<Dimension> dimension_of(const mechanics::AskedLimit& asked, const Reading& r) {
   if (std::holds_alternative<mechanics::AskedDistance>(asked.what)) return Dimension{1, 0, 0, 0};
   if (std::holds_alternative<mechanics::AskedCondition>(asked.what)) return Dimension{};
+  if (std::holds_alternative<mechanics::AskedCompliance>(asked.what)) return parse_unit("m/N")->dimension;
   if (const auto* value = std::get_if<mechanics::AskedValue>(&asked.what); value != nullptr && r.mechanism.machine != nullptr)
     return parse_unit(mechanics::unit_of_value(*r.mechanism.machine, value->name))->dimension;
   return parse_unit("rad")->dimension;
@@ -82,6 +84,7 @@ std::optional<mechanics::AskedLimit> read_limit(const Value& content, const Read
   scenario::TableReader table(content, "[[section.limit]]", content.place, reader);
   const Entry *name = table.find("name"), *angle = table.find("angle"), *against = table.find("against"), *value = table.find("value"),
               *distance = table.find("distance"), *to = table.find("to"), *surfaces = table.find("surfaces"), *index = table.find("index"),
+              *stiffness = table.find("drive_stiffness"), *force = table.find("force"), *every = table.find("every_orientation"),
               *min = table.find("min"), *max = table.find("max");
   table.finish();
   mechanics::AskedLimit out;
@@ -92,8 +95,12 @@ std::optional<mechanics::AskedLimit> read_limit(const Value& content, const Read
     reader.diagnostics().add(content.place, fmt::format("expected one of angle, value, distance and index, seen {}", given), forms);
     return std::nullopt;
   }
-  for (const auto& [key, needs, needed] :
-       {std::tuple{against, angle, "angle"}, {to, distance, "distance"}, {surfaces, distance, "distance"}})
+  for (const auto& [key, needs, needed] : {std::tuple{against, angle, "angle"},
+                                           {to, distance, "distance"},
+                                           {surfaces, distance, "distance"},
+                                           {every, index, "index"},
+                                           {stiffness, index, "index"},
+                                           {force, index, "index"}})
     if (key != nullptr && needs == nullptr)
       reader.diagnostics().add(key->place, fmt::format("{} belongs to a limit with {}", key->key, needed), "remove it");
   if (angle != nullptr) {
@@ -120,7 +127,21 @@ std::optional<mechanics::AskedLimit> read_limit(const Value& content, const Read
   } else {
     const auto word = reader.word(index->value, indices, "the indices");
     if (!word) return std::nullopt;
-    *word == 0 ? out.what = mechanics::AskedPressure{} : out.what = mechanics::AskedCondition{};
+    if (*word == 0) out.what = mechanics::AskedPressure{};
+    if (*word == 1) out.what = mechanics::AskedCondition{};
+    if (*word == 2) {
+      const auto k = stiffness != nullptr ? reader.quantity(stiffness->value, parse_unit("N/m")->dimension) : std::nullopt;
+      if (!k || !(*k > 0)) {
+        reader.diagnostics().add((stiffness != nullptr ? stiffness : index)->place, "expected the stiffness of the drives, above 0 N/m",
+                                 "write drive_stiffness = \"1e4 N/m\"");
+        return std::nullopt;
+      }
+      const auto direction =
+          force != nullptr ? reader.word(force->value, forces, "the directions of the force") : std::optional<std::size_t>(0);
+      if (!direction) return std::nullopt;
+      out.what = mechanics::AskedCompliance{*k, *direction == 1};
+    }
+    if (every != nullptr) out.every = reader.boolean(every->value).value_or(false);
   }
   if (r.mechanism.machine != nullptr)
     if (const auto why = mechanics::refusal(*r.mechanism.machine, out)) {
@@ -172,7 +193,13 @@ Shape limit_shape() {
                     "an actuator, a joint's motion, a derived quantity or a reading, or `\"derived\"`, `\"reading\"`"),
        keys::within("distance", limbs, "limbs, as segments, from each other, but those that share a joint"),
        keys::within("to", limbs, "from these instead"), keys::within("surfaces", Shape::boolean(), "less their radii", "`false`"),
-       keys::within("index", Shape::word(indices), "of every actuator its pressure angle, or the condition number of G"),
+       keys::within("index", Shape::word(indices),
+                    "of every actuator its pressure angle, the condition number of G, or the largest displacement by a force of 1 N with "
+                    "drives that yield"),
+       keys::within("drive_stiffness", Shape::quantity(parse_unit("N/m")->dimension), "of every drive, for the compliance"),
+       keys::within("force", Shape::word(forces), "which force", "any"),
+       keys::within("every_orientation", Shape::boolean(),
+                    "whether a point counts only where an index keeps its limit at all orientations that keep the other limits", "`false`"),
        keys::within("min", end, ""), keys::within("max", end, "")});
 }
 

@@ -17,10 +17,15 @@ namespace pmreport::section {
 // Another number of axes, or an axis with a single value: std::invalid_argument.
 
 // The accepted poses, the refused ones by the first margin that refuses them, and as lines named on themselves where the limits that bound
-// the accepted poses are reached. `margins`: of the field, in its order. Limits that refuse least go together as "others" when there are
-// more than a reader can tell apart.
+// the accepted poses are reached: "ρ₁ max". `margins`: of the field, in its order. Limits that refuse least go together when there are more
+// than a reader can tell apart.
 figure::Panel slice_panel(const scan::Field& field, const std::array<Coordinate, 2>& coordinates,
                           const std::vector<mechanics::PoseMargin>& margins);
+// Slices that stand beside each other show a limit alike: `told` has the margins with a fill of their own, the same for all of them.
+figure::Panel slice_panel(const scan::Field& field, const std::array<Coordinate, 2>& coordinates,
+                          const std::vector<mechanics::PoseMargin>& margins, const std::vector<std::size_t>& told);
+// The margins that refuse most points of some slices, in their order, as many as a reader can tell apart; the reach is not among them.
+std::vector<std::size_t> margins_to_tell(const std::vector<const scan::Field*>& fields, const std::vector<mechanics::PoseMargin>& margins);
 // The same as numbers: the coordinates, the name of the first margin that refuses, and every margin.
 document::Data slice_data(const std::string& name, const scan::Field& field, const std::array<Coordinate, 2>& coordinates,
                           const std::vector<mechanics::PoseMargin>& margins);

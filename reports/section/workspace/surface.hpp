@@ -9,9 +9,9 @@
 namespace pmreport::section {
 
 // The surface about the points of a grid of three axes where `value` is not negative, last axis fastest: closed, also where the set goes
-// on beyond the grid, and turned outward. NaN is outside. Coordinates are those of the axes as x, y and z; the colour is left to the
-// caller; empty where no point is inside. An axis with a single value, or another number of axes: std::invalid_argument. After
-// Gibson (1998), "Constrained elastic surface nets", without the relaxation.
+// on beyond the grid, every edge between two triangles, and turned outward. NaN is outside. Coordinates are those of the axes as x, y and
+// z; the colour is left to the caller; empty where no point is inside. An axis with a single value, another number of axes, or of values
+// than the grid has: std::invalid_argument. By marching tetrahedra, A. Doi and A. Koide (1991).
 scene::Surface boundary_surface(const std::vector<scan::Axis>& axes, const std::vector<double>& value);
 
 // Enclosed by a closed surface that is turned outward, by the divergence theorem [cube of the units of its points].

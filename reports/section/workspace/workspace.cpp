@@ -1,6 +1,7 @@
 #include <reports/section/workspace/workspace.hpp>
 
 #include <reports/section/common/words.hpp>
+#include <reports/section/workspace/motion_in_it.hpp>
 
 #include <fmt/format.h>
 
@@ -16,7 +17,9 @@ Result workspace_section(const Context& context, const WorkspaceOptions& options
   document::Section& s = out.section = {id, "workspace", "Workspace", {}};
   Workspace w;
   try {
-    w = analysis::workspace(machine, options.request, context.progress);
+    analysis::WorkspaceRequest request = options.request;
+    request.name = id;
+    w = analysis::workspace(machine, request, context.progress);
   } catch (const analysis::NoProgram& e) {
     s.blocks.push_back(Paragraph{Paragraph::Tone::warning, fmt::format("The workspace was not examined: {}.", e.what())});
     s.blocks.push_back(
@@ -28,12 +31,15 @@ Result workspace_section(const Context& context, const WorkspaceOptions& options
   if (document::Table extent = workspace_extent(w, machine); !extent.rows.empty()) s.blocks.push_back(std::move(extent));
   Drawn drawn = draw_workspace(context, w, options, id);
   for (document::Block& b : drawn.blocks) s.blocks.push_back(std::move(b));
+  Drawn motion = motion_in_workspace(context.analysis, w, id);
+  for (document::Block& b : motion.blocks) s.blocks.push_back(std::move(b));
   if (document::Table reasons = workspace_reasons(w); !reasons.rows.empty()) s.blocks.push_back(std::move(reasons));
   if (document::Table safe = safe_limits(w, machine); !safe.rows.empty()) s.blocks.push_back(std::move(safe));
   s.blocks.push_back(workspace_proof(w, machine));
   out.values = workspace_values(w, machine, options);
   out.data = std::move(drawn.data);
   out.data.insert(out.data.begin(), workspace_counts(w, id));
+  for (document::Data& d : motion.data) out.data.push_back(std::move(d));
   out.files = std::move(drawn.files);
   return out;
 }

@@ -1,0 +1,190 @@
+// A workspace as a user asks for it: settings for controllers, mistakes, scans that are too large, interrupted, or resumed.
+#include <catch2/catch.hpp>
+#include <tests/program/workshop.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <csignal>
+
+using namespace program_test;
+using Catch::Contains;
+
+namespace {
+
+// The section's lines are put where {} stands.
+std::string scenario(const std::string& mechanism, const std::string& lines) {
+  return "title = \"Reach\"\n[mechanism]\nuse = \"" + mechanism +
+         "\"\n[[section]]\nkind = \"workspace\"\npictures = false\nexports = false\n" + lines;
+}
+
+const std::string cube =
+    "scan = { x = [\"-200 mm\", \"200 mm\", 9], y = [\"-200 mm\", \"200 mm\", 9], z = [\"800 mm\", \"1100 mm\", 9] }\n";
+
+double value(const Workshop& here, const std::string& name) {
+  const auto json = nlohmann::json::parse(bytes_of(here.report_folder() / "results.json"));
+  for (const auto& v : json.at("values"))
+    if (v.at("name") == name) return v.at("value").is_number() ? v.at("value").get<double>() : std::nan("");
+  return std::nan("");
+}
+
+// Takes some seconds, for an index is judged pose by pose; its poses are counted in many steps.
+const std::string long_scan =
+    scenario("gough",
+             "method = \"grid\"\nsafe = false\nlimits = [\"strokes\"]\nscan = { x = [\"-500 mm\", \"500 mm\", 61], y = "
+             "[\"-500 mm\", \"500 mm\", 61], z = [\"600 mm\", \"1300 mm\", 61] }\n[[section.limit]]\nindex = "
+             "\"condition\"\nmax = \"12\"\n");
+
+}  // namespace
+
+TEST_CASE("the safe box is printed for controllers, rounded to the safe side") {
+  const Workshop here;
+  here.write("s.toml", scenario("gough", "safe = false\n" + cube));
+  const auto printed = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"limits", "s.toml"});
+    return pmreport(more, {.folder = here.path()});
+  };
+  const Result toml = printed({});
+  INFO(toml.out << toml.err);
+  REQUIRE(toml.status == 0);
+  CHECK_THAT(toml.out, Contains("[safe_limits]") && Contains("x = [\"-") && Contains(" mm\"]  #") && Contains("the scanned range"));
+  const Result linuxcnc = printed({"--format", "linuxcnc"});
+  CHECK_THAT(linuxcnc.out, Contains("setp ini.x.min_limit -") && Contains("setp ini.z.max_limit "));
+  const Result klipper = printed({"--format", "klipper"});
+  CHECK_THAT(klipper.out, Contains("[stepper_x]\nposition_min: -") && Contains("position_max: "));
+  // No angle has a letter of its own.
+  here.write("s.toml", scenario("gough", "scan = { z = [\"900 mm\", \"1000 mm\"], alpha = [\"-5 deg\", \"5 deg\"] }\n"));
+  CHECK_THAT(printed({"--format", "linuxcnc"}).out, Contains("# alpha from ") && Contains("--axes alpha=c"));
+  CHECK_THAT(printed({"--format", "linuxcnc", "--axes", "alpha=c"}).out, Contains("setp ini.c.min_limit -"));
+  const Result wrong = printed({"--axes", "delta=c"});
+  CHECK(wrong.status == 2);
+  CHECK_THAT(wrong.err, Contains("\"delta=c\""));
+}
+
+TEST_CASE("safe limits of a scenario without a workspace, or of a home outside, are told as what is missing") {
+  const Workshop here;
+  here.write("s.toml", small);
+  const Result none = pmreport({"limits", "s.toml"}, {.folder = here.path()});
+  CHECK(none.status == 2);
+  CHECK_THAT(none.err, Contains("expected a section \"workspace\""));
+  here.write("s.toml", scenario("gough", cube + "[[section.limit]]\nvalue = \"rho3\"\nmin = \"1.3 m\"\n"));
+  const Result outside = pmreport({"limits", "s.toml"}, {.folder = here.path()});
+  CHECK(outside.status == 1);
+  CHECK_THAT(outside.err, Contains("home lies outside") && Contains("rho3<"));
+}
+
+TEST_CASE("mistakes in a workspace are told together, each with what to do") {
+  const Workshop here;
+  const Result result =
+      here.report(scenario("4sps-spr",
+                           "method = \"grid\"\n"
+                           "scan = { x = [\"-100 mm\", \"100 mm\"], y = [\"0 mm\", \"1 mm\", 3], z = [\"550 mm\", \"550 mm\", 5] }\n"
+                           "at = { x = \"5 mm\", delta = \"1 deg\" }\n"
+                           "limits = [\"stroke\"]\n"
+                           "orientations = [ { alpha = \"0 deg\" }, { alpha = \"2 deg\" }, { alpha = \"0 deg\" } ]\n"
+                           "at_least = [7]\n"
+                           "[[section.limit]]\nangle = [9]\nagainst = \"base z\"\nmax = \"60 deg\"\n"
+                           "[[section.limit]]\nvalue = \"l9\"\nmax = \"1 m\"\n"
+                           "[[section.limit]]\nvalue = \"l1\"\n"
+                           "[[section.limit]]\nvalue = \"l1\"\nmin = \"2 m\"\nmax = \"1 m\"\n"
+                           "[[section.limit]]\nindex = \"condition\"\nagainst = \"base z\"\nmax = \"1 m\"\n"
+                           "[[section.limit]]\nindex = \"compliance\"\nmax = \"1e-3 m/N\"\n"));
+  CHECK(result.status == 2);
+  for (const char* told :
+       {"a grid needs to know how many values x takes", "y is a dependent coordinate of 4sps-spr", "expected a range of z, seen one value",
+        "x is scanned and cannot be held", "unknown key \"delta\"", "did you mean \"strokes\"", "this orientation is given twice",
+        "expected at most the 2 orientations that there are, seen 7",
+        "there is no actuator, derived quantity, reading or joint motion \"l9\"", "expected a least value, a most, or both",
+        "expected a least value below the most", "against belongs to a limit with angle", "expected the stiffness of the drives"}) {
+    INFO(result.err);
+    CHECK_THAT(result.err, Contains(told));
+  }
+  CHECK_FALSE(std::filesystem::exists(here.report_folder()));
+}
+
+TEST_CASE("a grid of 10^12 poses is refused as too large, with what to do") {
+  const Workshop here;
+  const Result result =
+      here.report(scenario("gough",
+                           "method = \"grid\"\nscan = { x = [\"-1 m\", \"1 m\", 10000], y = [\"-1 m\", \"1 m\", 10000], z = "
+                           "[\"0.5 m\", \"1.5 m\", 10000] }\n"));
+  CHECK(result.status == 5);
+  CHECK_THAT(result.err, Contains("1e+12 poses") && Contains("use method"));
+  CHECK_FALSE(std::filesystem::exists(here.report_folder()));
+}
+
+TEST_CASE("an empty workspace is proved empty, and a home outside is told") {
+  const Workshop here;
+  const Result result = here.report(scenario("gough", cube + "[[section.limit]]\nvalue = \"rho1\"\nmin = \"3 m\"\n"));
+  INFO(result.out << result.err);
+  CHECK(result.status == 0);
+  const std::string html = bytes_of(here.report_folder() / "report.html");
+  CHECK_THAT(html, Contains("The workspace is empty") && Contains("Home lies outside"));
+  CHECK(value(here, "volume_high") == 0);
+}
+
+TEST_CASE("a limit that always holds changes nothing, and a reversed range is the same range") {
+  const Workshop here;
+  const std::string forward = "method = [\"proof\", \"grid\"]\nsafe = false\n" + cube;
+  REQUIRE(here.report(scenario("gough", forward)).status == 0);
+  const double accepted = value(here, "accepted"), low = value(here, "volume_low"), high = value(here, "volume_high");
+  CHECK(low > 0);
+  REQUIRE(here.report(scenario("gough", forward + "[[section.limit]]\nvalue = \"rho1\"\nmax = \"9 m\"\n")).status == 0);
+  CHECK(value(here, "accepted") == accepted);
+  CHECK(value(here, "volume_low") <= high);
+  CHECK(value(here, "volume_high") >= low);
+  const std::string reversed = with(forward, {{"x = [\"-200 mm\", \"200 mm\", 9]", "x = [\"200 mm\", \"-200 mm\", 9]"}});
+  REQUIRE(here.report(scenario("gough", reversed)).status == 0);
+  CHECK(value(here, "accepted") == accepted);
+  CHECK(value(here, "volume_low") <= high);
+  CHECK(value(here, "volume_high") >= low);
+}
+
+TEST_CASE("one coordinate alone may be scanned: where a leg meets its stroke is a closed form") {
+  const Workshop here;
+  const Result result = here.report(scenario("gough", "limits = [\"strokes\"]\nscan = { z = [\"0.2 m\", \"1.8 m\"] }\n"));
+  INFO(result.out << result.err);
+  REQUIRE(result.status == 0);
+  // All legs are alike on the axis: rho^2 = z^2 + d^2, with the feet 10.6 and the platform's joints 60 - 15.2 degrees from the middle of
+  // their pairs, on circles of 300 and 200 mm.
+  const double deg = 3.14159265358979323846 / 180, spread = (60 - 15.2 - 10.6) * deg;
+  const double squared = 0.3 * 0.3 + 0.2 * 0.2 - 2 * 0.3 * 0.2 * std::cos(spread);
+  const double exact = std::sqrt(1.41 * 1.41 - squared) - std::sqrt(0.76 * 0.76 - squared);
+  CHECK(value(here, "volume_low") <= exact);
+  CHECK(value(here, "volume_high") >= exact);
+}
+
+TEST_CASE("a scan that was interrupted goes on where it stopped, to the same bytes") {
+  const Workshop here;
+  here.write("scenario.toml", long_scan);
+  REQUIRE(pmreport({"scenario.toml", "-o", "whole"}, {.folder = here.path()}).status == 0);
+  {
+    Process process({PROGRAM, "scenario.toml", "-o", "parts"},
+                    {.environment = {{"TERM", "xterm"}}, .folder = here.path(), .terminal = true});
+    REQUIRE(process.says("grid: "));
+    process.send(SIGINT);
+    CHECK(process.finish().status == 130);
+  }
+  REQUIRE(std::filesystem::exists(here / "parts.checkpoints/workspace.scan"));
+  CHECK_FALSE(std::filesystem::exists(here / "parts"));
+  const Result resumed = pmreport({"scenario.toml", "-o", "parts", "--resume"}, {.folder = here.path()});
+  INFO(resumed.err);
+  REQUIRE(resumed.status == 0);
+  CHECK(contents(here / "whole") == contents(here / "parts"));
+  CHECK_FALSE(std::filesystem::exists(here / "parts.checkpoints"));
+}
+
+TEST_CASE("what another scenario left, or what is damaged, is not gone on with") {
+  const Workshop here;
+  const auto resumed = [&](const std::string& bytes) {
+    std::filesystem::create_directories(here / "scenario-report.checkpoints");
+    here.write("scenario-report.checkpoints/workspace.scan", bytes);
+    return here.report(scenario("gough", "method = \"grid\"\nsafe = false\n" + cube), {"--resume"});
+  };
+  for (const std::string& bytes : {std::string(), std::string("not a scan at all, but something longer"), std::string(100000, '\0')}) {
+    const Result result = resumed(bytes);
+    INFO(result.err);
+    CHECK(result.status == 2);
+    CHECK_THAT(result.err, Contains("workspace.scan") && Contains("remove it, or run without --resume"));
+  }
+}
