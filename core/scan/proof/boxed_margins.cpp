@@ -4,6 +4,7 @@
 #include <core/program/batch.hpp>
 #include <core/program/boxes.hpp>
 #include <core/program/derivative.hpp>
+#include <core/scan/proof/apart.hpp>
 #include <core/scan/proof/half_space.hpp>
 
 #include <fmt/core.h>
@@ -37,7 +38,7 @@ BoxedMargins::BoxedMargins(const PoseSet& set, const Scan& scan) {
   if (axes_.size() > most_axes)
     throw std::invalid_argument(fmt::format("a proof over {} coordinates at once; {} at most can be scanned", axes_.size(), most_axes));
 
-  const program::Split split = program::split(set.margins, free_inputs);
+  const program::Split split = program::split(taken_apart(set.margins), free_inputs);
   values_ = split.inner;
   with_partials_ = program::partials(values_, by);
 

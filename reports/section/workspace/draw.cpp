@@ -21,7 +21,7 @@ namespace pmreport::section {
 
 namespace {
 
-constexpr std::size_t slice_points = 121, surface_points = 49;  // along an axis
+constexpr std::size_t slice_points = 121, coarse_points = 41, surface_points = 65;  // along an axis
 constexpr double deg = std::numbers::pi / 180;
 constexpr scene::Color membrane{0.10f, 0.45f, 0.75f, 0.28f};
 
@@ -36,6 +36,28 @@ scan::Scan part_of(const Workspace& w, const std::vector<double>& at, const std:
     out.points.push_back(axis);
   }
   return out;
+}
+
+// To the box of the points at which the value is not negative, and a step more, evenly. False: there are none.
+bool narrow_to(scan::Scan& scan, const std::vector<double>& value) {
+  std::vector<std::size_t> low(scan.points.size(), value.size()), high(scan.points.size(), 0);
+  bool some = false;
+  for (std::size_t k = 0; k < value.size(); ++k) {
+    if (!(value[k] >= 0)) continue;
+    some = true;
+    std::size_t rest = k;
+    for (std::size_t a = scan.points.size(); a-- > 0; rest /= scan.points[a].count) {
+      const std::size_t at = rest % scan.points[a].count;
+      low[a] = std::min(low[a], at), high[a] = std::max(high[a], at);
+    }
+  }
+  for (std::size_t a = 0; some && a < scan.points.size(); ++a) {
+    const scan::Axis axis = scan.points[a];
+    scan.points[a].from = axis.value(low[a] > 0 ? low[a] - 1 : 0);
+    scan.points[a].to = axis.value(std::min(high[a] + 1, axis.count - 1));
+    scan.points[a].count = surface_points;
+  }
+  return some;
 }
 
 class Drawing {
@@ -136,7 +158,10 @@ class Drawing {
     });
     scene::Surface surface;
     if (w_.scan.orientations.empty()) {
-      const scan::Scan scan = part_of(w_, w_.scan.at, {0, 1, 2}, surface_points);
+      // Once over the whole range, and once more closely where the first look found anything.
+      scan::Scan scan = part_of(w_, w_.scan.at, {0, 1, 2}, coarse_points);
+      const std::vector<double> coarse = scan::sample_field(w_.set, scan).least();
+      if (!narrow_to(scan, coarse)) return;
       const scan::Field field = scan::sample_field(w_.set, scan);
       surface = boundary_surface(field, w_.set.rounding);
     } else if (w_.grid) {

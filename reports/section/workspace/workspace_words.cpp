@@ -202,22 +202,23 @@ Table workspace_extent(const Workspace& w, const mechanics::Machine& machine) {
 
 Table workspace_reasons(const Workspace& w) {
   const scan::Tally* tally = w.grid ? &w.grid->tally : w.estimate ? &w.estimate->tally : nullptr;
+  // What is left after each limit: of a grid of one orientation the volume, as papers tabulate it.
+  const bool volume = w.grid && w.scan.orientations.empty();
   Table t{
       "Why poses are refused: by the first limit that they break, in this order; by each limit, whatever else they break; and what is "
       "left, "
       "limit after limit",
-      {"limit", "first", "first [%]", "any", "any [%]", "left"},
+      {"limit", "first", "first [%]", "any", "any [%]", volume ? fmt::format("left [{}]", typographic(w.unit)) : "left"},
       {false, true, true, true, true, true},
       {}};
-  if (tally == nullptr || tally->first.empty() || w.estimate) {
-    if (tally == nullptr || tally->first.empty()) return t;
-  }
+  if (tally == nullptr || tally->first.empty()) return t;
   std::uint64_t left = tally->poses;
   for (std::size_t m = 0; m < tally->first.size(); ++m) {
     left -= tally->first[m];
     if (tally->any[m] == 0) continue;
     t.rows.push_back({w.margins.margins[m].name, count(tally->first[m]), share(tally->first[m], tally->poses), count(tally->any[m]),
-                      share(tally->any[m], tally->poses), count(left)});
+                      share(tally->any[m], tally->poses),
+                      volume ? typeset(format_number(w.scan.cell() * static_cast<double>(left), 5)) : count(left)});
   }
   return t;
 }
