@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
 
 namespace pmreport::scan {
@@ -25,50 +26,53 @@ constexpr std::size_t group = 4096;    // orientations that are prepared at a ti
 // Points of one chunk. Keeps its buffers: one a thread.
 class Points {
  public:
-  Points(const Plan& plan, std::size_t need) : plan_(plan), need_(need), judge_(plan) {}
+  Points(const Plan& plan, std::size_t need) : plan_(plan), need_(need), judge_(plan, [this](const Accepted& a) { take(a); }) {}
+  Points(const Points&) = delete;  // the judge knows where it is
+  Points& operator=(const Points&) = delete;
 
   void place(std::uint64_t seed, std::uint64_t first, std::size_t count) {
     const std::vector<Axis>& axes = plan_.scan.points;
-    count_ = count;
-    points_.resize(axes.size() * count);
+    points_.resize(count, plan_.slots.size());
+    std::iota(points_.places.begin(), points_.places.end(), 0u);
     for (std::size_t a = 0; a < axes.size(); a += 2)
       for (std::size_t k = 0; k < count; ++k) {
         const auto u = uniform(seed, first + k, static_cast<std::uint32_t>(a / 2));
         for (std::size_t i = a; i < std::min(a + 2, axes.size()); ++i)
-          points_[plan_.slots[i] * count + k] = axes[i].from + (axes[i].to - axes[i].from) * u[i - a];
+          points_.values[plan_.slots[i] * points_.stride + k] = axes[i].from + (axes[i].to - axes[i].from) * u[i - a];
       }
+    points_.fill_up();
     accepted_.assign(count, 0);
     surely_.assign(count, 0);
     tally_ = empty_tally(plan_.set.size(), plan_.reasons);
   }
 
   void judge(const Orientations& orientations) {
-    for (std::size_t o = 0; o < orientations.size(); ++o) {
-      const auto accepted = judge_.run(count_, points_.data(), orientations.others(o), {}, tally_);
-      const auto known = judge_.known();
-      for (std::size_t i = 0; i < accepted.size(); ++i) {
-        ++accepted_[accepted[i]];
-        surely_[accepted[i]] += known[i] != is_on_a_limit;
-      }
-    }
+    for (std::size_t o = 0; o < orientations.size(); ++o) judge_.run(points_, orientations.others(o), 0, tally_);
+    judge_.finish(tally_);
   }
 
   // Of the points, where the judge has told of their poses.
   Tally tally() const {
     Tally out = tally_;
-    out.poses = count_;
+    out.poses = points_.count;
     out.accepted = out.on_a_limit = 0;
-    for (std::size_t k = 0; k < count_; ++k)
+    for (std::size_t k = 0; k < points_.count; ++k)
       if (accepted_[k] >= need_) ++out.accepted, out.on_a_limit += surely_[k] < need_;
     return out;
   }
 
  private:
+  void take(const Accepted& a) {
+    for (std::size_t i = 0; i < a.places.size(); ++i) {
+      ++accepted_[a.places[i]];
+      surely_[a.places[i]] += a.known[i] != is_on_a_limit;
+    }
+  }
+
   const Plan& plan_;
   const std::size_t need_;
   Judge judge_;
-  std::size_t count_ = 0;
-  std::vector<double> points_;
+  PointBlock points_;
   std::vector<std::size_t> accepted_, surely_;  // of each point: orientations; of these, such as are on no limit
   Tally tally_;
 };

@@ -25,23 +25,24 @@ std::string plain(const std::string& id, const std::string& otherwise) {
   return out.empty() ? otherwise : out;
 }
 
+std::string lower(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
 class Unique {
  public:
   explicit Unique(std::set<std::string> taken = {}) : taken_(std::move(taken)) {}
-  std::string operator()(const std::string& id, const std::string& otherwise) {
+  std::string operator()(const std::string& id, const std::string& otherwise, const std::string& extension = "") {
     const std::string wanted = plain(id, otherwise);
-    std::string name = wanted;
-    for (int n = 2; !taken_.insert(lower(name)).second; ++n) name = wanted + "-" + std::to_string(n);
+    std::string name = wanted + extension;
+    for (int n = 2; !taken_.insert(lower(name)).second; ++n) name = wanted + "-" + std::to_string(n) + extension;
     return name;
   }
 
  private:
-  static std::string lower(std::string text) {
-    for (char& c : text) {
-      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return text;
-  }
   std::set<std::string> taken_;
 };
 
@@ -72,12 +73,21 @@ std::vector<const Picture*> pictures_of(const Report& r) {
 
 Names names_of(const Report& r) {
   Names names;
-  Unique section({"contents", "summary", "checks", "scenario", "provenance"});
+  Unique section({"contents", "summary", "checks", "files", "scenario", "provenance"});
   for (const Section& s : r.sections) names.sections.push_back(section(s.id, "section"));
   Unique figure, picture, data;
   for (const figure::Figure* f : figures_of(r)) names.figures.push_back(figure(f->id, "figure"));
   for (const Picture* p : pictures_of(r)) names.pictures.push_back(picture(p->id, "snapshot"));
   for (const Data& d : r.data) names.data.push_back(data(d.name, "data"));
+  std::set<std::string> tables;
+  for (const std::string& name : names.data) tables.insert(lower(name) + ".csv");
+  Unique file(tables);
+  for (const File& f : r.files) {
+    const std::string id = f.name.starts_with("data/") ? f.name.substr(5) : f.name;
+    const std::size_t dot = id.rfind('.');
+    const std::string extension = dot == std::string::npos ? "" : plain(id.substr(dot + 1), "");
+    names.files.push_back(file(id.substr(0, dot), "file", extension.empty() ? "" : "." + extension));
+  }
   return names;
 }
 
@@ -89,6 +99,7 @@ std::vector<std::string> files_of(const Names& names) {
   }
   for (const std::string& name : names.pictures) files.push_back("snapshots/" + name + ".png");
   for (const std::string& name : names.data) files.push_back("data/" + name + ".csv");
+  for (const std::string& name : names.files) files.push_back("data/" + name);
   files.insert(files.end(), {"junit.xml", "results.json"});
   return files;
 }

@@ -11,6 +11,7 @@ struct Names {                        // each list in the order in which the thi
   std::vector<std::string> figures;   // figures/<name>.svg and .pdf
   std::vector<std::string> pictures;  // snapshots/<name>.png
   std::vector<std::string> data;      // data/<name>.csv
+  std::vector<std::string> files;     // data/<name>, with their extensions
 };
 Names names_of(const Report& r);
 

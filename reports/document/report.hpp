@@ -98,7 +98,7 @@ struct Data {                                        // data/<name>.csv
 };
 
 struct File {         // anything else to go with the report, as it is
-  std::string name;   // below the report's folder: "data/workspace.stl"
+  std::string name;   // below the report's folder, in data/: "data/workspace.stl"; what is no plain name is made one
   std::string title;  // what it is, a phrase
   std::string bytes;
 };

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <glib.h>
 #include <reports/document/text.hpp>
 
@@ -67,6 +68,15 @@ std::string base64(std::string_view bytes) {
   const std::string out = encoded;
   g_free(encoded);
   return out;
+}
+
+std::string size_of(std::size_t bytes) {
+  if (bytes < 1000) return fmt::format("{} B", bytes);
+  double size = static_cast<double>(bytes);
+  const char* const units[] = {"kB", "MB", "GB"};
+  std::size_t unit = 0;
+  for (size /= 1000; size >= 999.5 && unit < 2; size /= 1000) ++unit;
+  return fmt::format("{:.{}f} {}", size, size < 9.95 ? 1 : 0, units[unit]);
 }
 
 }  // namespace pmreport::document

@@ -16,4 +16,6 @@ std::string escape(std::string_view raw);
 
 std::string base64(std::string_view bytes);
 
+std::string size_of(std::size_t bytes);  // "812 B", "3.4 kB", "12 MB": of a file
+
 }  // namespace pmreport::document

@@ -307,6 +307,7 @@ Image Renderer::draw(const Scene& scene, const Camera& camera, const Quality& qu
   develop_.set("samples", 1);
   develop_.set("shade", 0);
   develop_.set("supersample", s);
+  develop_.set("films", std::ranges::any_of(mesh.parts, [](const Part& p) { return p.kind == Part::Kind::film; }) ? 1 : 0);
   develop_.set("background", quality.transparent ? Eigen::Vector4f(0, 0, 0, 0) : Eigen::Vector4f(1, 1, 1, 1));
   constexpr double edge_on = 0.02;
   if (steep > edge_on) {

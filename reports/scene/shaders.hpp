@@ -143,6 +143,7 @@ void main() {
 inline constexpr const char* develop_fragment = R"(#version 330 core
 uniform sampler2DMS samples;
 uniform int supersample, any;   // any 0: nothing but ground in this tile
+uniform int films;              // 1: there are translucent surfaces
 uniform vec2 origin;            // of the tile [px]
 uniform vec4 background;        // premultiplied
 uniform int ground;             // 0 none, 1 plane, 2 seen edge-on as a line
@@ -189,6 +190,20 @@ void main() {
     below = over(0.6 * fade * clamp(1.1 - abs(px.y - horizon), 0.0, 1.0) * vec4(0.13, 0.17, 0.23, 1.0), below);
   }
   vec4 sum = over(solids, below);
+  // Over solids translucent surfaces are mixed by roots of light, and so they are to be over opaque ground: with root light r, premultiplied
+  // by the opacity a, and w that of the ground, that is darker than the mixture of lights by (1 - a) / a (r - a w)^2.
+  if (films == 1 && any == 1 && background.a == 1.0) {
+    vec3 w = sqrt(max(below.rgb, vec3(0.0))), darker = vec3(0.0);
+    for (int y = 0; y < supersample; ++y)
+      for (int x = 0; x < supersample; ++x)
+        for (int k = 0; k < 4; ++k) {
+          vec4 root = texelFetch(samples, first + ivec2(x, y), k);
+          if (root.a < 0.002) continue;
+          vec3 d = root.rgb - root.a * w;
+          darker += (1.0 - root.a) / root.a * d * d;
+        }
+    sum.rgb = max(sum.rgb - darker / float(4 * supersample * supersample), vec3(0.0));
+  }
   result = sum.a > 0.0 ? vec4(sum.rgb / sum.a, sum.a) : vec4(0.0);
 }
 )";

@@ -1,3 +1,4 @@
+#include <reports/document/data/sha256.hpp>
 #include <reports/section/checks.hpp>
 #include <reports/section/common/limits.hpp>
 #include <reports/section/common/motion_words.hpp>
@@ -13,7 +14,6 @@
 #include <reports/section/overview.hpp>
 
 #include <fmt/core.h>
-#include <glib.h>
 
 #include <algorithm>
 #include <map>
@@ -24,13 +24,6 @@ using document::Paragraph;
 using document::Report;
 
 namespace {
-
-std::string sha256(const std::string& text) {
-  gchar* hex = g_compute_checksum_for_data(G_CHECKSUM_SHA256, reinterpret_cast<const guchar*>(text.data()), text.size());
-  std::string out(hex);
-  g_free(hex);
-  return out;
-}
 
 // What is proved of the motion and no warning tells.
 void tell_proof(const Proved& p, std::vector<Paragraph>& out) {
@@ -111,7 +104,7 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
   r.mechanism_title = m.info().title;
   r.source = m.info().source;
   r.scenario_text = s.text;
-  r.provenance = {"pmreport", version, m.info().name, build, s.file.filename().string(), sha256(s.text)};
+  r.provenance = {"pmreport", version, m.info().name, build, s.file.filename().string(), document::sha256(s.text)};
 
   const Stage stage(a, studio);
   std::vector<document::Section> overview = overview_section(a);

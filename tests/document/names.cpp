@@ -48,8 +48,21 @@ TEST_CASE("two things never share a name, even where upper and lower case are on
 
 TEST_CASE("a section called summary does not take the anchor of the summary") {
   Report r;
-  r.sections = {{"summary", "x", "X", {}}, {"checks", "x", "X", {}}};
-  CHECK(names_of(r).sections == std::vector<std::string>{"summary-2", "checks-2"});
+  r.sections = {{"summary", "x", "X", {}}, {"checks", "x", "X", {}}, {"files", "x", "X", {}}};
+  CHECK(names_of(r).sections == std::vector<std::string>{"summary-2", "checks-2", "files-2"});
+}
+
+TEST_CASE("files lie in data/ with their extensions, whatever they are called, and never in the place of a table or of one another") {
+  Report r;
+  r.data = {{"workspace", {}, {}}};
+  for (const char* name : {"data/workspace.stl", "data/WORKSPACE.STL", "../../etc/passwd", "/abs/x.ply", "data/../up.npy",
+                           "data/workspace.csv", "data/机构.stl", "", "data/.hidden", "data/-rf.s/h", "data/a.b.stl"})
+    r.files.push_back({name, "", ""});
+  const Names names = names_of(r);
+  CHECK(names.files == std::vector<std::string>{"workspace.stl", "WORKSPACE-2.STL", "etc-passwd", "abs-x.ply", "up.npy", "workspace-2.csv",
+                                                "file.stl", "file", "file.hidden", "rf.s-h", "a.b.stl"});
+  const std::vector<std::string> all = files_of(names);
+  CHECK(std::set<std::string>(all.begin(), all.end()).size() == all.size());
 }
 
 TEST_CASE("a figure finds the file of its data, whatever its name had to become") {

@@ -64,3 +64,14 @@ TEST_CASE("base64 gives the examples of RFC 4648") {
   CHECK(base64("foobar") == "Zm9vYmFy");
   CHECK(base64(std::string("\0\xff", 2)) == "AP8=");
 }
+
+TEST_CASE("the size of a file has a unit that suits it") {
+  CHECK(size_of(0) == "0 B");
+  CHECK(size_of(999) == "999 B");
+  CHECK(size_of(1000) == "1.0 kB");
+  CHECK(size_of(9949) == "9.9 kB");
+  CHECK(size_of(9960) == "10 kB");
+  CHECK(size_of(999499) == "999 kB");
+  CHECK(size_of(999500) == "1.0 MB");
+  CHECK(size_of(28'000'000'000) == "28 GB");
+}

@@ -79,6 +79,29 @@ TEST_CASE("a report is written with every file that it lists, and nothing beside
   CHECK(names_in(place.path()) == 1);
 }
 
+TEST_CASE("what other programs read is written byte by byte, and listed with its size and its hash") {
+  const sample::Folder place;
+  Report r = sample::report();
+  r.files = {{"data/mesh.stl", "boundary of the workspace & its <rim>", std::string("\0\xff\n\r\0", 5)}, {"data/none.npy", "nothing", ""}};
+  write(r, place / "report");
+  auto content = content_of(place / "report");
+  CHECK(content.at("data/mesh.stl") == r.files[0].bytes);
+  CHECK(content.at("data/none.npy").empty());
+  const auto results = nlohmann::json::parse(content.at("results.json"));
+  std::set<std::string> names;
+  for (const auto& [name, bytes] : content) names.insert(name);
+  CHECK(results["files"].get<std::set<std::string>>() == names);
+  REQUIRE(results["exports"].size() == 2);
+  CHECK(results["exports"][0]["name"] == "data/mesh.stl");
+  CHECK(results["exports"][0]["title"] == r.files[0].title);
+  CHECK(results["exports"][0]["bytes"] == 5);
+  // By sha256sum of coreutils.
+  CHECK(results["exports"][0]["sha256"] == "5d4d5bf580a5f1a190aaa9c298005d4477bb018ba4adb1b93b13095d94a3217d");
+  CHECK(results["exports"][1]["sha256"] == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  write(sample::report(), place / "report");  // the next report knows them for its own
+  CHECK(!content_of(place / "report").contains("data/mesh.stl"));
+}
+
 TEST_CASE("two runs write the same bytes") {
   const sample::Folder place;
   write(sample::report(), place / "one");

@@ -158,7 +158,8 @@ TEST_CASE("a damaged file is refused: any bit, anything that is missing, anythin
 
 TEST_CASE("a folder that cannot be written, and a disk without room, are told, and the old file stays") {
   Case c;
-  c.file = c.folder.path / "missing" / "scan";
+  std::ofstream(c.folder.path / "a file") << "where a folder would have to be";
+  c.file = c.folder.path / "a file" / "scan";
   CHECK_THROWS_AS(c.run(false, 2), CheckpointError);
   CHECK_THROWS_WITH(c.run(false, 2), Catch::Contains("cannot be kept") && Catch::Contains("make room"));
 

@@ -11,7 +11,9 @@
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numeric>
 
 namespace pmreport::mechanics {
@@ -19,6 +21,9 @@ namespace pmreport::mechanics {
 namespace {
 
 using linear::Matrix6d;
+
+// Poses that are judged at a time: some hundred numbers of each stay in the second-level cache.
+constexpr std::size_t block = 128;
 
 struct Drive {
   int near = 0, far = 0;  // joints at its ends
@@ -77,6 +82,29 @@ double largest_singular_value(const Eigen::Matrix3d& m, bool two_columns) {
   return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(m.transpose() * m, Eigen::EigenvaluesOnly).eigenvalues()(2));
 }
 
+// Batches of one program, lent to one thread at a time: to make one costs more than a few poses.
+class Batches {
+ public:
+  void of(program::Program program) { program_ = std::move(program); }
+  const program::Program& program() const { return program_; }
+  void run(std::size_t count, const double* in, double* out) {
+    std::unique_ptr<program::Batch> batch;
+    {
+      const std::scoped_lock lock(mutex_);
+      if (!idle_.empty()) batch = std::move(idle_.back()), idle_.pop_back();
+    }
+    if (!batch) batch = std::make_unique<program::Batch>(program_);
+    batch->run(count, in, out);
+    const std::scoped_lock lock(mutex_);
+    idle_.push_back(std::move(batch));
+  }
+
+ private:
+  program::Program program_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<program::Batch>> idle_;
+};
+
 }  // namespace
 
 bool pressure_known(const Machine& machine, std::string* why) { return drives_of(machine, why).has_value(); }
@@ -93,18 +121,26 @@ struct LateLimits::Work {
     bool upper() const { return std::isfinite(max); }
     std::size_t ends() const { return (lower() ? 1u : 0u) + (upper() ? 1u : 0u); }
   };
+  explicit Work(const Machine& m) : machine(m) {}
+
   const Machine& machine;
   std::vector<Asked> asked = {};
   std::vector<Drive> drives = {};
-  program::Program motions = {}, wrenches = {};
+  Batches motions = {}, wrenches = {};
   double length = 0;
 
-  void judge(std::size_t count, const double* poses, double* out) const;
-  std::size_t pressures(std::size_t count, const double* poses, const Asked& a, double* out) const;
+  std::size_t margins() const {
+    std::size_t n = 0;
+    for (const Asked& a : asked) n += a.ends() * (a.of == Asked::Of::pressure ? drives.size() : 1);
+    return n;
+  }
+  void judge(std::size_t count, const double* poses, double* out);
+  void judge_block(std::size_t count, const double* poses, double* out);
+  std::size_t pressures(std::size_t count, const double* poses, const Asked& a, double* out);
   double index(const Asked& a, const Matrix6d& g) const;
 };
 
-LateLimits::LateLimits(const Machine& machine) : work_(std::make_shared<Work>(Work{machine})) {}
+LateLimits::LateLimits(const Machine& machine) : work_(std::make_shared<Work>(machine)) {}
 LateLimits::~LateLimits() = default;
 
 void LateLimits::add_reading(int reading, double min, double max) { work_->asked.push_back({Work::Asked::Of::reading, min, max, reading}); }
@@ -112,19 +148,19 @@ void LateLimits::add_reading(int reading, double min, double max) { work_->asked
 void LateLimits::add_pressure(double min, double max) {
   if (work_->drives.empty()) {
     work_->drives = drives_of(work_->machine, nullptr).value_or(std::vector<Drive>());
-    work_->motions = motions_of_drives(work_->machine, work_->drives);
+    work_->motions.of(motions_of_drives(work_->machine, work_->drives));
   }
   work_->asked.push_back({Work::Asked::Of::pressure, min, max});
 }
 
 void LateLimits::add_condition(double min, double max) {
   work_->length = characteristic_length(work_->machine);
-  work_->wrenches = wrenches_of(work_->machine);
+  work_->wrenches.of(wrenches_of(work_->machine));
   work_->asked.push_back({Work::Asked::Of::condition, min, max});
 }
 
 void LateLimits::add_compliance(double drive_stiffness, bool horizontal, double min, double max) {
-  work_->wrenches = wrenches_of(work_->machine);
+  work_->wrenches.of(wrenches_of(work_->machine));
   work_->asked.push_back({Work::Asked::Of::compliance, min, max, 0, drive_stiffness, horizontal});
 }
 
@@ -133,11 +169,10 @@ std::function<void(std::size_t, const double*, double*)> LateLimits::judge() con
 }
 
 // By cosines: the angle is between 0 and 90 degrees. Gives how many margins were written.
-std::size_t LateLimits::Work::pressures(std::size_t count, const double* poses, const Asked& a, double* out) const {
+std::size_t LateLimits::Work::pressures(std::size_t count, const double* poses, const Asked& a, double* out) {
   const std::size_t n = drives.size(), values = n + 6 * n;
-  program::Batch batch(motions);
-  std::vector<double> numbers(motions.outputs().size() * count);
-  batch.run(count, poses, numbers.data());
+  std::vector<double> numbers(motions.program().outputs().size() * count);
+  motions.run(count, poses, numbers.data());
   const auto value = [&](std::size_t o, std::size_t k) { return numbers[o * count + k]; };
   const auto partial = [&](std::size_t o, std::size_t by, std::size_t k) { return numbers[(values + o * n + by) * count + k]; };
   for (std::size_t k = 0; k < count; ++k) {
@@ -145,7 +180,7 @@ std::size_t LateLimits::Work::pressures(std::size_t count, const double* poses, 
     Matrix6d rates = Matrix6d::Identity();
     for (std::size_t r = 0; r < n; ++r)
       for (std::size_t c = 0; c < n; ++c) rates(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = partial(r, c, k);
-    const Matrix6d moved = linear::inverse(rates);
+    const Matrix6d moved = linear::inverse_of_jacobian(rates);
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t near = n + 6 * i, far = near + 3;
       Eigen::Vector3d line, v = Eigen::Vector3d::Zero();
@@ -169,17 +204,29 @@ double LateLimits::Work::index(const Asked& a, const Matrix6d& g) const {
     const linear::Vector6d s = linear::singular_values(dimensionless(machine, g, length));
     return s(0) / s(5);
   }
-  const Matrix6d moved = linear::inverse(g);
+  const Matrix6d moved = linear::inverse_of_jacobian(g);
   const auto actuated = moved.leftCols(static_cast<Eigen::Index>(machine.topology().actuators.size())).topRows<3>();
   return largest_singular_value(actuated * actuated.transpose() / a.drive_stiffness, a.horizontal);
 }
 
-void LateLimits::Work::judge(std::size_t count, const double* poses, double* out) const {
+void LateLimits::Work::judge(std::size_t count, const double* poses, double* out) {
+  const auto n = static_cast<std::size_t>(machine.dof());
+  const std::size_t all = margins();
+  std::vector<double> some(n * block), found(all * block);
+  for (std::size_t first = 0; first < count; first += block) {
+    const std::size_t size = std::min(block, count - first);
+    for (std::size_t i = 0; i < n; ++i) std::copy_n(poses + i * count + first, size, some.data() + i * size);
+    judge_block(size, some.data(), found.data());
+    for (std::size_t m = 0; m < all; ++m) std::copy_n(found.data() + m * size, size, out + m * count + first);
+  }
+}
+
+void LateLimits::Work::judge_block(std::size_t count, const double* poses, double* out) {
   const auto n = static_cast<std::size_t>(machine.dof());
   std::vector<double> q(n), rows;
-  if (!wrenches.outputs().empty()) {
+  if (!wrenches.program().outputs().empty()) {
     rows.resize(36 * count);
-    program::Batch(wrenches).run(count, poses, rows.data());
+    wrenches.run(count, poses, rows.data());
   }
   for (const Asked& a : asked) {
     if (a.of == Asked::Of::pressure) {

@@ -118,8 +118,7 @@ Plan::Plan(const PoseSet& of_set, const Scan& of_scan, bool with_reasons, const 
     : set(of_set), scan(of_scan), reasons(with_reasons), margins(of_set.margins.outputs().size()) {
   demand_fit(set, scan, sign_program);
   for (const Axis& a : scan.points) point_inputs |= std::uint64_t{1} << a.input;
-  for (const Axis& a : scan.points)
-    slots.push_back(static_cast<std::size_t>(std::ranges::count_if(scan.points, [&](const Axis& b) { return b.input < a.input; })));
+  for (const Axis& a : scan.points) slots.push_back(slot_of(a.input));
 
   program::Split two = program::split(with_sign(set.margins, sign_program), point_inputs);
   outer = std::move(two.outer);

@@ -4,6 +4,7 @@
 #include <core/program/program.hpp>
 #include <core/scan/pose_set.hpp>
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -38,6 +39,8 @@ struct Plan {
   // are judged as one. Only ratios count.
   std::vector<double> weights;
 
+  // Of an input that points move.
+  std::size_t slot_of(int input) const { return static_cast<std::size_t>(std::popcount(point_inputs & ((std::uint64_t{1} << input) - 1))); }
   std::size_t width() const { return static_cast<std::size_t>(inner.inputs()); }
 };
 

@@ -7,15 +7,19 @@ namespace pmreport::scan {
 
 namespace {
 
-constexpr std::size_t together = 64;        // blocks that intervals look at in one call
-constexpr std::size_t fewest = 512;         // poses of a block that is not halved any more
-constexpr std::size_t fewest_points = 256;  // and points: fewer do not pay for what each orientation costs beside them
-constexpr std::size_t most_points = 4096;   // that are judged in one go: they stay in the second-level cache
+constexpr std::size_t together = 64;       // blocks that intervals look at in one call
+constexpr std::size_t fewest = 512;        // poses of a block that is not halved any more
+constexpr std::size_t fewest_points = 64;  // and points: fewer do not pay for what each orientation costs beside them
+constexpr std::size_t most_points = 4096;  // that are judged in one go: they stay in the second-level cache
 
 }  // namespace
 
 Walk::Walk(const Plan& plan, bool prune, PoseBits bits)
-    : plan_(plan), prune_(prune), bits_(bits), each_(bits.accepted != nullptr || !plan.sign.outputs().empty()), judge_(plan) {
+    : plan_(plan),
+      prune_(prune),
+      bits_(bits),
+      each_(bits.accepted != nullptr || !plan.sign.outputs().empty()),
+      judge_(plan, [this](const Accepted& accepted) { take(accepted); }) {
   for (const Stage& s : plan.stages) {
     if (prune) boxes_.emplace_back(s.program);
     inputs_of_.emplace_back();
@@ -40,6 +44,9 @@ Found Walk::run(const Tile& tile, const Orientations& orientations, int node) {
   root_ = &tile;
   posed_.reset();
   found_ = {empty_tally(plan_.set.size(), plan_.reasons), std::vector<std::uint32_t>(tile.size(), 0), 0, 0};
+  numbers_.clear();
+  if (bits_.accepted != nullptr)
+    each_point(tile, [&](std::size_t, std::span<const std::size_t> at) { numbers_.push_back(whole_.place(at)); });
   open_.push_back({tile, node, std::vector<Verdict>(plan_.margins, Verdict::open)});
   found_.tally.poses = poses(open_.back());
   std::vector<Block> now;
@@ -56,6 +63,7 @@ Found Walk::run(const Tile& tile, const Orientations& orientations, int node) {
         halve(std::move(b));
     }
   }
+  judge_.finish(found_.tally);
   return std::move(found_);
 }
 
@@ -171,38 +179,37 @@ void Walk::halve(Block b) {
 
 void Walk::judge(const Block& b) {
   if (posed_ != b.tile) pose_points(b.tile);
+  judge_.set(b.verdicts);
   const Orientations::Node& node = orientations_->node(b.node);
-  const std::size_t n = places_.size(), orientations = plan_.scan.orientation_count();
-  for (std::size_t o = node.begin; o < node.end; ++o) {
-    const auto accepted = judge_.run(n, points_.data(), orientations_->others(o), b.verdicts, found_.tally);
-    for (const std::uint32_t k : accepted) ++found_.accepted[places_[k]];
-    if (!each_) continue;
-    const auto pose = [&](std::uint32_t k) { return numbers_[k] * orientations + orientations_->number(o); };
-    if (bits_.accepted != nullptr)
-      for (const std::uint32_t k : accepted) PoseBits::mark(bits_.accepted, pose(k));
-    if (plan_.sign.outputs().empty()) continue;
-    const auto signs = judge_.signs();
-    for (std::size_t i = 0; i < signs.size(); ++i) {
-      found_.positive += signs[i] > 0;
-      found_.negative += signs[i] < 0;
-      if (bits_.positive != nullptr && signs[i] > 0) PoseBits::mark(bits_.positive, pose(accepted[i]));
-      if (bits_.negative != nullptr && signs[i] < 0) PoseBits::mark(bits_.negative, pose(accepted[i]));
-    }
+  for (std::size_t o = node.begin; o < node.end; ++o)
+    judge_.run(points_, orientations_->others(o), static_cast<std::uint32_t>(o), found_.tally);
+}
+
+void Walk::take(const Accepted& accepted) {
+  const std::size_t orientations = plan_.scan.orientation_count();
+  for (const std::uint32_t place : accepted.places) ++found_.accepted[place];
+  if (!each_) return;
+  for (std::size_t k = 0; k < accepted.places.size(); ++k) {
+    const double sign = accepted.signs.empty() ? 0.0 : accepted.signs[k];
+    found_.positive += sign > 0;
+    found_.negative += sign < 0;
+    if (bits_.accepted == nullptr) continue;
+    const std::size_t pose = numbers_[accepted.places[k]] * orientations + orientations_->number(accepted.turns[k]);
+    PoseBits::mark(bits_.accepted, pose);
+    if (sign > 0) PoseBits::mark(bits_.positive, pose);
+    if (sign < 0) PoseBits::mark(bits_.negative, pose);
   }
 }
 
 // Blocks that differ in their orientations alone stand one after another, and share this.
 void Walk::pose_points(const Tile& tile) {
-  const std::size_t axes = values_.size(), n = tile.size();
   posed_ = tile;
-  points_.resize(axes * n);
-  places_.resize(n);
-  numbers_.resize(n);
+  points_.resize(tile.size(), plan_.slots.size());
   each_point(tile, [&](std::size_t k, std::span<const std::size_t> at) {
-    for (std::size_t a = 0; a < axes; ++a) points_[plan_.slots[a] * n + k] = values_[a][at[a]];
-    places_[k] = root_->place(at);
-    numbers_[k] = whole_.place(at);
+    for (std::size_t a = 0; a < values_.size(); ++a) points_.values[plan_.slots[a] * points_.stride + k] = values_[a][at[a]];
+    points_.places[k] = static_cast<std::uint32_t>(root_->place(at));
   });
+  points_.fill_up();
 }
 
 }  // namespace pmreport::scan

@@ -26,6 +26,8 @@ class Walk {
  public:
   // `bits`: where single poses are marked.
   Walk(const Plan& plan, bool prune, PoseBits bits);
+  Walk(const Walk&) = delete;  // its judge knows where it is
+  Walk& operator=(const Walk&) = delete;
 
   Found run(const Tile& tile, const Orientations& orientations, int node);
 
@@ -45,6 +47,7 @@ class Walk {
   void halve(Block block);
   void judge(const Block& block);
   void pose_points(const Tile& tile);
+  void take(const Accepted& accepted);
 
   const Plan& plan_;
   const bool prune_;
@@ -61,9 +64,9 @@ class Walk {
   Found found_;
   std::vector<Block> open_;
   std::vector<program::Bounds> in_, out_;
-  std::optional<Tile> posed_;  // whose points stand in points_
-  std::vector<double> points_;
-  std::vector<std::size_t> places_, numbers_;  // of each of these points: within the root tile; within the grid
+  std::optional<Tile> posed_;  // whose points stand in points_, told by their places within the root tile
+  PointBlock points_;
+  std::vector<std::size_t> numbers_;  // of each point of the root tile: within the grid
 };
 
 }  // namespace pmreport::scan

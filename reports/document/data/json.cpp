@@ -2,6 +2,7 @@
 #include <cmath>
 #include <reports/document/data/json_proof.hpp>
 #include <reports/document/data/results.hpp>
+#include <reports/document/data/sha256.hpp>
 #include <reports/document/names.hpp>
 #include <reports/document/tally.hpp>
 #include <reports/document/write.hpp>
@@ -135,6 +136,16 @@ Json data_list(const Report& r, const Names& names) {
   return out;
 }
 
+Json export_list(const Report& r, const Names& names) {
+  Json out = Json::array();
+  for (std::size_t i = 0; i < r.files.size(); ++i) {
+    const File& file = r.files[i];
+    out.push_back(
+        {{"name", "data/" + names.files[i]}, {"title", file.title}, {"bytes", file.bytes.size()}, {"sha256", sha256(file.bytes)}});
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string to_json(const Report& r) {
@@ -156,6 +167,7 @@ std::string to_json(const Report& r) {
   out["figures"] = figure_list(r, names);
   out["snapshots"] = snapshot_list(r, names);
   out["data"] = data_list(r, names);
+  if (!r.files.empty()) out["exports"] = export_list(r, names);
   out["files"] = files_of(names);
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -6,6 +6,7 @@
 #include <reports/document/finding.hpp>
 #include <reports/document/html/html_page.hpp>
 #include <reports/document/tally.hpp>
+#include <reports/document/text.hpp>
 
 namespace pmreport::document {
 
@@ -50,6 +51,7 @@ void write_contents(Page& page) {
       item("summary", "Summary", {});
       if (!r.checks.empty()) item("checks", "Checks", tally_checks(r));
       for (std::size_t s = 0; s < r.sections.size(); ++s) item(page.names.sections[s], r.sections[s].title, tally_evidence(r.sections[s]));
+      if (!r.files.empty()) item("files", "Files", {});
       item("scenario", "Scenario", {});
       item("provenance", "Provenance", {});
     });
@@ -160,6 +162,37 @@ void write_checks(Page& page) {
   });
 }
 
+void write_files(Page& page) {
+  HtmlWriter& html = page.html;
+  const std::vector<File>& files = page.report.files;
+  if (files.empty()) return;
+  html.element("section", {{"id", "files"}}, [&] {
+    html.element("h2", "Files");
+    write_scroll_box(page, "Files", [&] {
+      html.element("table", [&] {
+        html.element("caption", "To be used by other programs");
+        html.element("thead", [&] {
+          html.element("tr", [&] {
+            html.element("th", {{"scope", "col"}}, "File");
+            html.element("th", {{"scope", "col"}}, "What it holds");
+            html.element("th", {{"scope", "col"}, {"class", "number"}}, "Size");
+          });
+        });
+        html.element("tbody", [&] {
+          for (std::size_t i = 0; i < files.size(); ++i) {
+            const std::string name = "data/" + page.names.files[i];
+            html.element("tr", [&] {
+              html.element("th", {{"scope", "row"}}, [&] { html.element("a", {{"href", name}}, name); });
+              html.element("td", files[i].title);
+              html.element("td", {{"class", "number"}}, size_of(files[i].bytes.size()));
+            });
+          }
+        });
+      });
+    });
+  });
+}
+
 // Every line of the scenario is an anchor, so that a check can point at the line that asked for it.
 void write_scenario(Page& page) {
   HtmlWriter& html = page.html;
@@ -228,6 +261,7 @@ std::string to_html(const Report& r, const Names& names, const std::vector<std::
             for (const Block& block : section.blocks) write_block(page, section, block);
           });
         }
+        write_files(page);
         write_scenario(page);
         write_provenance(page);
       });

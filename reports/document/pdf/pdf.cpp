@@ -87,6 +87,7 @@ void compose(Composer& c, const Plan& plan) {
   put_listing(c, r.scenario_text);
   begin(c, plan.provenance);
   put_provenance(c, r.provenance);
+  put_files(c);
 }
 
 void show_ranged(cairo_t* cr, const std::string& text, double y, double width, bool right) {

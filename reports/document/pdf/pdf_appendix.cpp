@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <reports/document/text.hpp>
 
 namespace pmreport::document::pdf {
 
@@ -48,6 +49,13 @@ void put_provenance(Composer& c, const Provenance& p) {
   put_field(c, "Plugin", p.plugin_build);
   put_field(c, "Scenario", p.scenario_name);
   put_field(c, "SHA-256", p.scenario_sha256);
+}
+
+void put_files(Composer& c) {
+  for (std::size_t i = 0; i < c.report.files.size(); ++i) {
+    const File& file = c.report.files[i];
+    put_field(c, i == 0 ? "Files" : " ", fmt::format("data/{}: {}, {}", c.names.files[i], file.title, size_of(file.bytes.size())));
+  }
 }
 
 }  // namespace pmreport::document::pdf

@@ -7,5 +7,6 @@ namespace pmreport::document::pdf {
 
 void put_listing(Composer& c, const std::string& text);
 void put_provenance(Composer& c, const Provenance& p);
+void put_files(Composer& c);  // what lies beside the report for other programs
 
 }  // namespace pmreport::document::pdf

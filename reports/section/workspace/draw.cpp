@@ -103,28 +103,40 @@ class Drawing {
     figure::Figure figure{id_ + "-slices", "", "", figure::Width::full, 2, {}};
     std::vector<std::pair<std::size_t, std::size_t>> planes{{0, 1}};
     if (w_.scan.points.size() == 3) planes.emplace_back(0, 2);
-    std::vector<std::string> held;
-    figure::Figure map{id_ + "-map", "", "", figure::Width::full, 2, {}};
+    struct Slice {
+      std::array<Coordinate, 2> coordinates;
+      std::string title;
+      scan::Scan scan;
+      scan::Field field;
+    };
+    std::vector<Slice> slices;
     for (const std::vector<double>& at : cuts())
       for (const auto& [first, second] : planes) {
         context_.progress.stop_if_asked();
         const scan::Scan scan = part_of(w_, at, {first, second}, slice_points);
-        const scan::Field field = scan::sample_field(w_.set, scan);
-        const std::array coordinates{coordinate(first), coordinate(second)};
-        figure::Panel panel = slice_panel(field, coordinates, w_.margins.margins);
-        panel.title = held_words(at, first, second);
-        held.push_back(panel.title);
-        if (!options_.map.empty()) {
-          figure::Panel over = index_panel(field.axes, index_over(machine_, field, scan, options_.map), coordinates, {options_.map, ""});
-          over.title = panel.title;
-          map.panels.push_back(std::move(over));
-        }
-        figure.panels.push_back(std::move(panel));
+        slices.push_back({{coordinate(first), coordinate(second)}, held_words(at, first, second), scan, scan::sample_field(w_.set, scan)});
       }
+    std::vector<const scan::Field*> fields;
+    for (const Slice& s : slices) fields.push_back(&s.field);
+    const std::vector<std::size_t> told = margins_to_tell(fields, w_.margins.margins);
+    figure::Figure map{id_ + "-map", "", "", figure::Width::full, 2, {}};
+    for (const auto& [coordinates, title, scan, field] : slices) {
+      context_.progress.stop_if_asked();
+      figure::Panel panel = slice_panel(field, coordinates, w_.margins.margins, told);
+      panel.title = title;
+      if (!options_.map.empty()) {
+        figure::Panel over = index_panel(field.axes, index_over(machine_, field, scan, options_.map), coordinates, {options_.map, ""});
+        over.title = panel.title;
+        over.named = panel.named;
+        for (figure::NamedLine& line : over.named) line.label.clear();
+        map.panels.push_back(std::move(over));
+      }
+      figure.panels.push_back(std::move(panel));
+    }
     figure.caption =
         "Slices through the workspace: accepted poses, and refused ones by the first limit that refuses them; the lines are the limits "
-        "that "
-        "bound what is accepted.";
+        "that bound "
+        "what is accepted.";
     if (!w_.scan.orientations.empty()) figure.caption += " At the orientation of home alone.";
     map.caption = options_.map == "condition"
                       ? "The condition number of the overall Jacobian, moments over the characteristic length, where poses are accepted."
@@ -151,7 +163,7 @@ class Drawing {
       const std::vector<double> coarse = scan::sample_field(w_.set, scan).least();
       if (!narrow_to(scan, coarse)) return;
       const scan::Field field = scan::sample_field(w_.set, scan);
-      surface = boundary_surface(field.axes, field.least());
+      surface = boundary_surface(field, w_.set.rounding);
     } else if (w_.grid) {
       std::vector<double> value;
       for (const std::uint32_t n : w_.grid->accepted_at) value.push_back(n >= w_.request.at_least.front() ? 1 : -1);

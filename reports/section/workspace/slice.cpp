@@ -26,8 +26,7 @@ std::vector<std::vector<double>> readable(const scan::Field& field, const std::v
   return out;
 }
 
-// The first margin that refuses at a place; their number where none does. What is no number is refused, except that of the reach, all
-// others are none where it is negative.
+// The first margin that refuses at a place; their number where none does. What is no number refuses.
 std::size_t refused_by(const GridView& grid, const std::vector<std::vector<double>>& margins, double u, double v) {
   std::size_t m = 0;
   while (m < margins.size() && grid.between(margins[m], u, v) >= 0) ++m;
@@ -46,14 +45,21 @@ std::string label_of(const mechanics::PoseMargin& margin) {
   return name + (margin.upper ? " max" : " min");
 }
 
-// Where a limit is reached and no other is broken.
+// Where a limit is reached and no other is broken, beside a point of the grid that is accepted: between points some of which cannot be
+// assembled the margins tell too little.
 figure::NamedLine line_of(std::size_t margin, const GridView& coarse, const GridView& fine, const std::vector<std::vector<double>>& margins,
                           const std::vector<double>& values, const std::string& label) {
   const auto bounds_what_is_accepted = [&](figure::Point p) {
     const double u = coarse.column(p.x), v = coarse.row(p.y);
     for (std::size_t m = 0; m < margins.size(); ++m)
       if (m != margin && !(coarse.between(margins[m], u, v) >= 0)) return false;
-    return true;
+    const auto near = [](double at, double step, std::size_t count) {
+      return std::clamp(std::floor(at) + step, 0.0, static_cast<double>(count - 1));
+    };
+    for (int i = -1; i <= 2; ++i)
+      for (int j = -1; j <= 2; ++j)
+        if (refused_by(coarse, margins, near(u, i, coarse.x.size()), near(v, j, coarse.y.size())) == margins.size()) return true;
+    return false;
   };
   figure::NamedLine line{label, {}, {}};
   for (const figure::Stroke& stroke : figure::zero_lines(fine.x, fine.y, values, figure::largest, bounds_what_is_accepted)) {

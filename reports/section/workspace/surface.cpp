@@ -24,9 +24,24 @@ constexpr std::array<std::array<int, 3>, 6> walks{{{0, 1, 2}, {0, 2, 1}, {1, 0, 
 
 constexpr double nearest = 1e-3;  // of an edge: the surface keeps so far from its ends, or triangles would shrink to nothing
 
+// Where on an edge from a point inside to one outside the set ends: where the first of its margins is zero. The least of them, taken by
+// itself, would bend towards the grid wherever one margin takes over from another.
+double share_of(const std::vector<const std::vector<double>*>& margins, std::size_t in, std::size_t out) {
+  double share = 1;
+  for (const std::vector<double>* margin : margins) {
+    const double a = (*margin)[in], b = (*margin)[out];
+    if (b < 0) share = std::min(share, std::isfinite(a / (a - b)) ? a / (a - b) : 0.5);
+  }
+  return share < 1 ? std::clamp(share, nearest, 1 - nearest) : 0.5;  // only numbers that are missing are outside
+}
+
 class Mesher {
  public:
-  Mesher(const std::vector<scan::Axis>& axes, const std::vector<double>& value) : axes_(axes), value_(value) {
+  Mesher(const std::vector<scan::Axis>& axes, std::vector<const std::vector<double>*> margins)
+      : axes_(axes), margins_(std::move(margins)), inside_(margins_.front()->size(), true) {
+    for (std::size_t m = 0; m < margins_.size(); ++m)
+      for (std::size_t k = 0; k < inside_.size(); ++k)
+        if (!((*margins_[m])[k] >= 0)) inside_[k] = false;
     for (const scan::Axis& a : axes) turns_ = (a.step() < 0) != turns_;
   }
 
@@ -48,26 +63,23 @@ class Mesher {
 
  private:
   const std::vector<scan::Axis>& axes_;
-  const std::vector<double>& value_;
+  std::vector<const std::vector<double>*> margins_;
+  std::vector<bool> inside_;
   bool turns_ = false;  // an odd number of axes runs downward, which mirrors the grid
   scene::Surface out_;
   std::unordered_map<std::uint64_t, int> numbers_;  // of the surface's points, by the two grid points between which they lie
 
   std::uint64_t number(const Index& at) const { return (at[0] * axes_[1].count + at[1]) * axes_[2].count + at[2]; }
-  double value(const Index& at) const { return value_[number(at)]; }
-  bool inside(const Index& at) const { return value(at) >= 0; }
+  bool inside(const Index& at) const { return inside_[number(at)]; }
   Vector3d place(const Index& at) const { return {axes_[0].value(at[0]), axes_[1].value(at[1]), axes_[2].value(at[2])}; }
   static Vector3d step(const Index& at) { return {static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2])}; }
 
   int point(const Index& in, const Index& out, double share) {
-    const auto [at, fresh] = numbers_.try_emplace(number(in) * value_.size() + number(out), static_cast<int>(out_.points.size()));
+    const auto [at, fresh] = numbers_.try_emplace(number(in) * inside_.size() + number(out), static_cast<int>(out_.points.size()));
     if (fresh) out_.points.push_back(place(in) + share * (place(out) - place(in)));
     return at->second;
   }
-  int on_edge(const Index& in, const Index& out) {
-    const double a = value(in), share = a / (a - value(out));
-    return point(in, out, std::isfinite(share) ? std::clamp(share, nearest, 1 - nearest) : 0.5);
-  }
+  int on_edge(const Index& in, const Index& out) { return point(in, out, share_of(margins_, number(in), number(out))); }
   int at_corner(const Index& in) { return point(in, in, 0); }
 
   // The corners in the order that shows `outward`, steps of the grid, the front.
@@ -133,18 +145,34 @@ class Mesher {
   }
 };
 
-}  // namespace
-
-scene::Surface boundary_surface(const std::vector<scan::Axis>& axes, const std::vector<double>& value) {
+scene::Surface surface_of(const std::vector<scan::Axis>& axes, const std::vector<const std::vector<double>*>& margins) {
   if (axes.size() != 3) throw std::invalid_argument("expected a grid of three axes for a surface, saw " + std::to_string(axes.size()));
   std::size_t points = 1;
   for (const scan::Axis& a : axes) {
     if (a.count < 2) throw std::invalid_argument("expected two values or more on each axis for a surface, saw one");
     points *= a.count;
   }
-  if (value.size() != points)
-    throw std::invalid_argument("expected " + std::to_string(points) + " values for a surface, saw " + std::to_string(value.size()));
-  return Mesher(axes, value).mesh();
+  if (margins.empty()) throw std::invalid_argument("expected a margin or more for a surface, saw none");
+  for (const std::vector<double>* margin : margins)
+    if (margin->size() != points)
+      throw std::invalid_argument("expected " + std::to_string(points) + " values for a surface, saw " + std::to_string(margin->size()));
+  return Mesher(axes, margins).mesh();
+}
+
+}  // namespace
+
+scene::Surface boundary_surface(const std::vector<scan::Axis>& axes, const std::vector<double>& value) {
+  return surface_of(axes, {&value});
+}
+
+scene::Surface boundary_surface(const scan::Field& field, const std::vector<double>& rounding) {
+  std::vector<std::vector<double>> margins = field.margins;
+  std::vector<const std::vector<double>*> all;
+  for (std::size_t m = 0; m < margins.size(); ++m) {
+    for (double& x : margins[m]) x += rounding.at(m);
+    all.push_back(&margins[m]);
+  }
+  return surface_of(field.axes, all);
 }
 
 // About a point of the surface: volumes of tetrahedra about a far one would cancel.

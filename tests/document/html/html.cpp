@@ -46,8 +46,22 @@ TEST_CASE("the page has its landmarks, a title, a language and a width for phone
   CHECK(count(html, "<img ") == 2);
 }
 
+TEST_CASE("files for other programs are listed with a link, what they hold and their size") {
+  Report r = sample::report();
+  CHECK(!contains(to_html(r), "id=\"files\""));
+  r.files = {{"data/mesh.stl", "boundary <of> the workspace", std::string(1234567, 'x')}};
+  const std::string html = to_html(r);
+  CHECK(count(html, "<section id=\"files\"") == 1);
+  CHECK(count(html, "href=\"#files\"") == 1);
+  CHECK(contains(html, "<a href=\"data/mesh.stl\">data/mesh.stl</a>"));
+  CHECK(contains(html, "boundary &lt;of&gt; the workspace"));
+  CHECK(contains(html, "1.2 MB"));
+}
+
 TEST_CASE("every opened element is closed, in order") {
-  const std::string html = to_html(sample::report());
+  Report r = sample::report();
+  r.files = {{"data/mesh.stl", "boundary", "x"}};
+  const std::string html = to_html(r);
   const std::set<std::string> without_content{"meta", "img"};
   std::vector<std::string> open;
   const std::regex tag("<(/?)([a-zA-Z][a-zA-Z0-9]*)[^>]*?(/?)>");

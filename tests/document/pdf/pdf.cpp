@@ -110,7 +110,8 @@ TEST_CASE("the PDF carries the date that SOURCE_DATE_EPOCH asks for, and none th
 }
 
 TEST_CASE("all that the report says can be read in the PDF, as it was typed") {
-  const Report r = sample::full_report();
+  Report r = sample::full_report();
+  r.files = {{"data/mesh.stl", "boundary of the workspace", "12345"}};
   const std::string text = text_of(r);
   if (text.empty()) return;
   for (const char* part : {"4SPS-SPR: kinematics and statics",
@@ -133,6 +134,7 @@ TEST_CASE("all that the report says can be read in the PDF, as it was typed") {
                            "Figure 6.",
                            "Table 3.",
                            "Data: data/displacement.csv",
+                           "data/mesh.stl: boundary of the workspace, 5 B",
                            "max(abs(actuator_force)) < 400 N",
                            "limb 3 needs 812.4 mm",
                            "use = \"4sps-spr\"",
