@@ -22,7 +22,7 @@ Vector6d solution(const Matrix6d& a, const Vector6d& b) { return a.partialPivLu(
 
 Vector6d solution_of_transpose(const Matrix6d& a, const Vector6d& b) { return a.transpose().partialPivLu().solve(b); }
 
-Matrix6d inverse(const Matrix6d& a) { return a.partialPivLu().inverse(); }
+Matrix6d inverse_of_jacobian(const Matrix6d& a) { return a.partialPivLu().inverse(); }
 
 SmallMatrix inverse(const SmallMatrix& a) {
   PMREPORT_ASSERT(a.rows() == a.cols(), "only a square matrix has an inverse");

@@ -38,10 +38,8 @@ class Prover {
         programs_(margins_, sets_),
         open_(axes_),
         ends_(axes_),
-        judges_([this] { return std::make_unique<BoxJudge>(margins_, sets_, programs_); }) {
-    std::vector<std::uint64_t> all(sets_.words());
-    for (std::size_t m = 0; m < margins_.margins(); ++m) all[m / 64] |= std::uint64_t{1} << m % 64;
-    programs_.inherit(sets_.add(all), 0);
+        examiners_([this] { return std::make_unique<Examiner>(margins_, sets_, programs_); }) {
+    programs_.inherit(sets_.add_all(margins_.margins()), 0);
     std::vector<Bounds> sides;
     for (const FreeAxis& axis : margins_.axes()) sides.push_back(axis.range);
     std::vector<OpenOrientation> open;
@@ -50,7 +48,7 @@ class Prover {
   }
 
   ProvedVolume prove(const Scan& scan) {
-    halve({0});  // along no axis yet: the whole range is judged
+    halve({0});  // along no axis yet: the whole range is examined
     while (go_on()) {
       const std::vector<std::uint32_t> which = choose();
       halve(which);
@@ -167,7 +165,7 @@ class Prover {
       tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
         wave[i] = std::make_unique<Refined>(axes_, margins_.margins());
         const std::size_t from = ends[chunk + i], to = ends[chunk + i + 1];
-        refine(open_, std::span(which).subspan(from, to - from), options_.need, margins_, *judges_.local(), *wave[i]);
+        refine(open_, std::span(which).subspan(from, to - from), options_.need, margins_, *examiners_.local(), *wave[i]);
       });
       for (const auto& refined : wave) take(*refined, parts);
       chunk += count;
@@ -184,7 +182,7 @@ class Prover {
     for (std::uint32_t s = 0; s < numbers.size(); ++s) {
       if (refined.came_from[s] == Refined::nowhere) continue;
       const std::size_t known = sets_.size();
-      numbers[s] = sets_.add(refined.judgement.sets.bits(s));
+      numbers[s] = sets_.add(refined.examination.sets.bits(s));
       if (numbers[s] == known) programs_.inherit(numbers[s], refined.came_from[s]);
     }
     refined.open.renumber(numbers);
@@ -222,7 +220,7 @@ class Prover {
   double told_ = 0;
   ProvedVolume out_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  tbb::enumerable_thread_specific<std::unique_ptr<BoxJudge>> judges_;
+  tbb::enumerable_thread_specific<std::unique_ptr<Examiner>> examiners_;
 };
 
 }  // namespace

@@ -22,14 +22,14 @@ void line(cairo_t* cr, double x0, double y0, double x1, double y1) {
 double across(const PanelLayout& layout, double x) { return layout.frame.width * layout.x.position(x); }
 double down(const PanelLayout& layout, double y) { return layout.frame.height * (1 - layout.y.position(y)); }
 
-void draw_grid(cairo_t* cr, const PanelLayout& layout) {
+void draw_grid(cairo_t* cr, const Panel& panel, const PanelLayout& layout) {
   const double width = layout.frame.width, height = layout.frame.height;
   for (const Tick& tick : layout.x.major) line(cr, across(layout, tick.value), 0, across(layout, tick.value), height);
   for (const Tick& tick : layout.y.major) line(cr, 0, down(layout, tick.value), width, down(layout, tick.value));
   set_colour(cr, grid_ink);
   cairo_set_line_width(cr, grid_width);
   cairo_stroke(cr);
-  if (layout.y.low < 0 && layout.y.high > 0) {
+  if (panel.y.names.empty() && layout.y.low < 0 && layout.y.high > 0) {
     line(cr, 0, down(layout, 0), width, down(layout, 0));
     set_colour(cr, zero_ink);
     cairo_set_line_width(cr, axis_width);
@@ -183,7 +183,7 @@ void draw_panel(cairo_t* cr, const Panel& panel, const PanelLayout& layout) {
   if (panel.map) draw_map(cr, *panel.map, layout.window);
   shade(cr, layout.unreachable_bands, Band::Kind::unreachable);
   shade(cr, layout.limit_bands, Band::Kind::limit);
-  if (!layout.empty && !panel.map) draw_grid(cr, layout);
+  if (!layout.empty && !panel.map) draw_grid(cr, panel, layout);
   draw_lines(cr, layout);
   const bool inside = layout.legend_place == PanelLayout::Place::inside;
   if (inside) draw_legend(cr, layout.legend, true);

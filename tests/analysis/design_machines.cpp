@@ -56,7 +56,7 @@ TEST_CASE("a grid's numbers are counted, those of home computed") {
 TEST_CASE("a set that goes up to the end of a range is told, and so is an empty one with what refuses home") {
   const Judged wide = judge(*table(0.55, 0.02), study(ScanMethod::grid), {});
   REQUIRE(wide.notes.size() == 1);
-  CHECK(wide.notes[0] == "up to the end of the range of x");
+  CHECK(wide.notes[0] == "may go on beyond the range of x");
   MachineStudy away = study(ScanMethod::grid);
   away.requests[0].scan[0] = {0, 0.4, 0.5, 11};
   const Judged none = judge(*table(0.2, 0.3), away, {});

@@ -26,7 +26,7 @@ program::Program slider() {
 }  // namespace
 
 TEST_CASE("margins that are taken apart accept the same poses") {
-  const program::Program whole = slider(), apart = taken_apart(whole);
+  const program::Program whole = slider(), apart = taken_apart(whole).program;
   REQUIRE(apart.outputs().size() > whole.outputs().size());
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> number(-1.5, 1.5);

@@ -1,6 +1,7 @@
 #include <core/analysis/design/machine_numbers.hpp>
 
 #include <core/mechanics/singularity/singularity.hpp>
+#include <core/text/text.hpp>
 
 #include <fmt/format.h>
 
@@ -152,7 +153,8 @@ Judged judge(const mechanics::Machine& machine, const MachineStudy& study, const
   for (const auto& [index, w] : done) {
     const Answers a(w);
     if (a.empty()) note(w.home_refused_by.empty() ? "empty" : fmt::format("empty; home is refused by {}", w.home_refused_by));
-    for (const std::string& c : a.cut_off(machine.topology())) note(fmt::format("up to the end of the range of {}", c));
+    if (const std::vector<std::string> cut = a.cut_off(machine.topology()); !cut.empty())
+      note(fmt::format("may go on beyond the range of {}", listed(cut, "and"))), out.cut_off = true;
     if (a.ended_early()) note(fmt::format("the proof ended early: {}", w.proof->why));
   }
   return out;

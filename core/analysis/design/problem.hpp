@@ -16,6 +16,7 @@ struct Judged {
   std::vector<Bracketed> numbers = {};  // one a measure; NaN: it has no value there
   std::string why = {};                 // a sentence without its full stop; empty: the variant was made and judged
   std::vector<std::string> notes = {};  // what a reader must know of the numbers
+  bool cut_off = false;                 // a set was looked at only up to the end of a range, and may go on
 
   bool made() const { return why.empty(); }
 };

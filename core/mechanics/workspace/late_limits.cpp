@@ -145,7 +145,7 @@ std::size_t LateLimits::Work::pressures(std::size_t count, const double* poses, 
     Matrix6d rates = Matrix6d::Identity();
     for (std::size_t r = 0; r < n; ++r)
       for (std::size_t c = 0; c < n; ++c) rates(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = partial(r, c, k);
-    const Matrix6d moved = linear::inverse(rates);
+    const Matrix6d moved = linear::inverse_of_jacobian(rates);
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t near = n + 6 * i, far = near + 3;
       Eigen::Vector3d line, v = Eigen::Vector3d::Zero();
@@ -169,7 +169,7 @@ double LateLimits::Work::index(const Asked& a, const Matrix6d& g) const {
     const linear::Vector6d s = linear::singular_values(dimensionless(machine, g, length));
     return s(0) / s(5);
   }
-  const Matrix6d moved = linear::inverse(g);
+  const Matrix6d moved = linear::inverse_of_jacobian(g);
   const auto actuated = moved.leftCols(static_cast<Eigen::Index>(machine.topology().actuators.size())).topRows<3>();
   return largest_singular_value(actuated * actuated.transpose() / a.drive_stiffness, a.horizontal);
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
+#include <utility>
 
 namespace pmreport::mechanics {
 
@@ -37,6 +39,33 @@ void MarginRecorder::margin(int limit, bool upper, const Recorded& value, double
   outputs.push_back(value);
 }
 
+// A number that is an angle of atan2, turned over or shifted by constants.
+std::optional<MarginRecorder::ShiftedAngle> MarginRecorder::shifted_angle(int number) const {
+  using program::Operation;
+  ShiftedAngle out;
+  for (;;) {
+    const program::Step& s = step(number);
+    const auto constant = [&](int operand) { return step(operand).operation == Operation::constant; };
+    if (s.operation == Operation::atan2) {
+      out.sine = s.a, out.cosine = s.b;
+      return out;
+    }
+    if (s.operation == Operation::negate) {
+      out.sign = -out.sign, number = s.a;
+    } else if (s.operation == Operation::subtract && constant(s.a)) {
+      out.offset += out.sign * step(s.a).constant, out.sign = -out.sign, number = s.b;
+    } else if (s.operation == Operation::subtract && constant(s.b)) {
+      out.offset -= out.sign * step(s.b).constant, number = s.a;
+    } else if (s.operation == Operation::add && constant(s.a)) {
+      out.offset += out.sign * step(s.a).constant, number = s.b;
+    } else if (s.operation == Operation::add && constant(s.b)) {
+      out.offset += out.sign * step(s.b).constant, number = s.a;
+    } else {
+      return std::nullopt;
+    }
+  }
+}
+
 void MarginRecorder::add_reach() {
   const int limit = begin({PoseLimit::Group::reach, "reach", "the mechanism can be assembled", "", 0, open_end});
   out_.margins.push_back({limit, false, "reach", 0});
@@ -64,14 +93,22 @@ void MarginRecorder::add_output(PoseLimit asked, std::size_t o) {
     if (upper && max >= 0 && max <= pi) margin(limit, true, cosine - std::cos(max), digits * std::sin(max));
     if ((!lower || min <= pi) && (!upper || max >= 0)) return;
   }
-  // -atan2(a, b) is atan2(-a, b), but on the cut, where a limit lies nowhere.
-  const bool turned = s.operation == Operation::negate && step(s.a).operation == Operation::atan2;
-  if (turned || s.operation == Operation::atan2) {
-    const program::Step& angle = turned ? step(s.a) : s;
-    const Recorded c = recorder_.step(angle.b), plain = recorder_.step(angle.a), sine = turned ? -plain : plain;
-    if (lower && std::abs(min) < pi) margin(limit, false, at_least(sine, c, min), digits);
-    if (upper && std::abs(max) < pi) margin(limit, true, at_least(-sine, c, -max), digits);
-    if ((!lower || min <= -pi || std::abs(min) < pi) && (!upper || max >= pi || std::abs(max) < pi)) return;
+  if (const std::optional<ShiftedAngle> angle = shifted_angle(number)) {
+    // Of sign phi + offset between min and max, phi lies between these.
+    double least = min - angle->offset, most = max - angle->offset;
+    if (angle->sign < 0) std::tie(least, most) = std::pair(-most, -least);
+    const Recorded sine = recorder_.step(angle->sine), c = recorder_.step(angle->cosine);
+    const auto within = [&](double end) { return !std::isfinite(end) || std::abs(end) < pi; };
+    if (within(least) && within(most)) {
+      // The margins stay those of the value: what breaks its lower end comes first.
+      const auto end = [&](bool upper_end) {
+        const bool of_most = upper_end == (angle->sign > 0);
+        margin(limit, upper_end, of_most ? at_least(-sine, c, -most) : at_least(sine, c, least), digits);
+      };
+      if (lower) end(false);
+      if (upper) end(true);
+      return;
+    }
   }
   if (lower) margin(limit, false, value - min, digits * scale_of(min));
   if (upper) margin(limit, true, max - value, digits * scale_of(max));

@@ -3,7 +3,7 @@
 // A limit is an end of a number, min <= v <= max, and what is held against it is told by the step that gives v:
 //     v = sqrt(s), min >= 0        s - min^2,            max^2 - s
 //     v = acos(c)                  cos min - c,          c - cos max                      for ends within 0 and pi
-//     v = atan2(s, c)              of the angle's sine and cosine, by either end: below
+//     v = k +- atan2(s, c)         of the angle's sine and cosine, by either end: below
 //     else                         v - min,              max - v
 // Of an angle v in (-pi, pi], with s and c its sine and cosine times one positive length, v >= min is a half plane of (c, s) cut out, or
 // joined, by another:
@@ -15,6 +15,7 @@
 #include <core/mechanics/workspace/pose_limits.hpp>
 #include <core/program/recorder.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace pmreport::mechanics {
@@ -38,6 +39,11 @@ class MarginRecorder {
   std::vector<Recorded> outputs;
 
  private:
+  struct ShiftedAngle {  // sign atan2(sine, cosine) + offset
+    int sine = 0, cosine = 0;
+    double sign = 1, offset = 0;
+  };
+  std::optional<ShiftedAngle> shifted_angle(int number) const;
   int begin(PoseLimit limit);
   void margin(int limit, bool upper, const Recorded& value, double rounding);
   const program::Step& step(int s) const { return start_.steps()[static_cast<std::size_t>(s)]; }

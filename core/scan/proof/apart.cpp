@@ -58,19 +58,26 @@ class Apart {
       }
       now[i] = builder_.add(s);
     }
-    std::vector<int> more;
+    std::vector<int> more, more_of;
     for (const int o : margins.outputs()) {
       std::vector<int> parts;
       least_of(now[static_cast<std::size_t>(o)], parts);
+      const int number = static_cast<int>(outputs_.size());
       outputs_.push_back(parts.front());
+      part_of_.push_back(number);
       more.insert(more.end(), parts.begin() + 1, parts.end());
+      more_of.resize(more.size(), number);
     }
     more.insert(more.end(), radicands.begin(), radicands.end());
-    for (const int o : more)
-      if (std::ranges::find(outputs_, o) == outputs_.end()) outputs_.push_back(o);
+    more_of.resize(more.size(), 0);
+    for (std::size_t k = 0; k < more.size(); ++k)
+      if (std::ranges::find(outputs_, more[k]) == outputs_.end()) {
+        outputs_.push_back(more[k]);
+        part_of_.push_back(more_of[k]);
+      }
   }
 
-  Program program(int inputs) const { return Program(builder_.steps(), inputs, outputs_); }
+  TakenApart taken(int inputs) const { return {Program(builder_.steps(), inputs, outputs_), part_of_}; }
 
  private:
   void least_of(int step, std::vector<int>& out) const {
@@ -85,11 +92,11 @@ class Apart {
 
   std::vector<bool> positive_;
   Builder builder_;
-  std::vector<int> outputs_;
+  std::vector<int> outputs_, part_of_;
 };
 
 }  // namespace
 
-Program taken_apart(const Program& margins) { return Apart(margins).program(margins.inputs()); }
+TakenApart taken_apart(const Program& margins) { return Apart(margins).taken(margins.inputs()); }
 
 }  // namespace pmreport::scan

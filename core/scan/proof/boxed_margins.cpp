@@ -38,7 +38,9 @@ BoxedMargins::BoxedMargins(const PoseSet& set, const Scan& scan) {
   if (axes_.size() > most_axes)
     throw std::invalid_argument(fmt::format("a proof over {} coordinates at once; {} at most can be scanned", axes_.size(), most_axes));
 
-  const program::Split split = program::split(taken_apart(set.margins), free_inputs);
+  const TakenApart apart = taken_apart(set.margins);
+  const program::Split split = program::split(apart.program, free_inputs);
+  part_of_ = apart.part_of;
   values_ = split.inner;
   with_partials_ = program::partials(values_, by);
 

@@ -24,7 +24,9 @@ class BoxedMargins {
   BoxedMargins(const PoseSet& set, const Scan& scan);
 
   const std::vector<FreeAxis>& axes() const { return axes_; }
+  // Those of the set, and behind them those of which they are made (apart.hpp).
   std::size_t margins() const { return values_.outputs().size(); }
+  int part_of(int margin) const { return part_of_[static_cast<std::size_t>(margin)]; }  // the margin of the set
   std::size_t orientations() const { return fixed_.size(); }
 
   // Inputs: the coordinates, then what does not change within an orientation. Outputs: the margins; and behind them, the derivative of
@@ -37,6 +39,7 @@ class BoxedMargins {
  private:
   std::vector<FreeAxis> axes_;
   program::Program values_, with_partials_;
+  std::vector<int> part_of_;
   std::vector<std::vector<program::Bounds>> fixed_;  // of each orientation
 };
 

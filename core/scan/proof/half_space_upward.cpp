@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace pmreport::scan {
 
@@ -28,6 +29,7 @@ struct Weights {
   std::array<double, most_axes> v{};  // the largest first
   std::size_t kept = 0, size = 0;
   Interval sum{0.0}, sum_kept{0.0}, left_out{0.0}, squares_left_out{0.0};
+  double scale_negative_low = -1, scale_high = 1;  // d! v_1 ... v_d of those kept
 };
 
 Weights sorted(std::span<const double> weights) {
@@ -35,14 +37,17 @@ Weights sorted(std::span<const double> weights) {
   for (const double x : weights)
     if (x != 0) w.v[w.size++] = std::abs(x);
   std::sort(w.v.begin(), w.v.begin() + static_cast<std::ptrdiff_t>(w.size), std::greater<>());
-  double sum = 0, cancelled = 1, power = 1, product = 1;
+  // How far the terms of (1) cancel, one weight after the other.
+  double sum = 0, product = 1;
   for (std::size_t k = 0; k < w.size; ++k) {
-    sum += w.v[k];
+    sum += 0.5 * w.v[k] / w.v[0];
     product *= static_cast<double>(k + 1) * w.v[k] / w.v[0];
-    power = std::pow(0.5 * sum / w.v[0], static_cast<double>(k + 1));
-    cancelled = power / product;
-    if (cancelled > most_cancelled || !std::isfinite(cancelled)) break;
+    double power = 1;
+    for (std::size_t i = 0; i <= k; ++i) power *= sum;
+    if (!(power <= most_cancelled * product)) break;
     w.kept = k + 1;
+    w.scale_negative_low = w.scale_negative_low * w.v[k] * static_cast<double>(k + 1);
+    w.scale_high = w.scale_high * w.v[k] * static_cast<double>(k + 1);
   }
   for (std::size_t k = 0; k < w.size; ++k) {
     const Interval v(w.v[k]);
@@ -57,32 +62,30 @@ Weights sorted(std::span<const double> weights) {
   return w;
 }
 
-Interval positive_power(const Interval& x, std::size_t n) {
-  const double low = std::max(0.0, x.low()), high = std::max(0.0, x.high);
-  if (high == 0) return Interval(0.0);
-  const Interval base(low, high);
-  Interval r = base;
-  for (std::size_t k = 1; k < n; ++k) r = r * base;
-  return r;
-}
-
-// (1) of the weights kept, of which there is one or more; within 0 and 1.
+// (1) of the weights kept, of which there is one or more; within 0 and 1. On the ends as they are, for no number in it but the terms' sum
+// is negative: a product of a negative low end with a positive number goes outward by itself.
 Interval lower_half(const Interval& t, const Weights& w) {
-  Interval total(0.0), scale(1.0);
-  for (std::size_t k = 0; k < w.kept; ++k) scale = scale * (Interval(w.v[k]) * static_cast<double>(k + 1));
+  double negative_low = 0, high = 0;
   for (std::size_t subset = 0; subset < std::size_t{1} << w.kept; ++subset) {
-    Interval rest = t;
+    double rest_negative_low = t.negative_low, rest_high = t.high;
     bool odd = false;
     for (std::size_t k = 0; k < w.kept; ++k)
       if (subset >> k & 1) {
-        rest = rest - w.v[k];
+        rest_negative_low += w.v[k];
+        rest_high -= w.v[k];
         odd = !odd;
       }
-    const Interval term = positive_power(rest, w.kept);
-    total = odd ? total - term : total + term;
+    if (!(rest_high > 0)) continue;
+    const double rest_low = std::max(0.0, -rest_negative_low);
+    double term_negative_low = -1, term_high = 1;
+    for (std::size_t k = 0; k < w.kept; ++k) {
+      term_negative_low *= rest_low;
+      term_high *= rest_high;
+    }
+    negative_low += odd ? term_high : term_negative_low;
+    high += odd ? term_negative_low : term_high;
   }
-  total = total / scale;
-  return {std::clamp(total.low(), 0.0, 1.0), std::clamp(total.high, 0.0, 1.0)};
+  return {std::min(1.0, -(std::min(0.0, negative_low) / w.scale_high)), std::min(1.0, std::max(0.0, high) / -w.scale_negative_low)};
 }
 Interval share_kept(const Interval& t, const Weights& w) {
   if (t.high <= 0) return Interval(0.0);

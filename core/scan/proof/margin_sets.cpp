@@ -23,6 +23,12 @@ std::uint32_t MarginSets::add(std::span<const std::uint64_t> bits) {
   return number;
 }
 
+std::uint32_t MarginSets::add_all(std::size_t margins) {
+  std::vector<std::uint64_t> all(words_);
+  for (std::size_t m = 0; m < margins; ++m) all[m / 64] |= std::uint64_t{1} << m % 64;
+  return add(all);
+}
+
 void MarginPrograms::inherit(std::uint32_t set, std::uint32_t from) {
   number_.push_back(number_.empty() ? 0 : number_[from]);
   own_.push_back(false);
@@ -44,6 +50,8 @@ void MarginPrograms::give_own(std::uint32_t set) {
   for (const std::uint32_t m : p->margins)
     for (std::size_t q = 0; q < axes; ++q) outputs.push_back(static_cast<int>(all + m * axes + q));
   p->with_partials = margins_.with_partials().slice(outputs);
+  for (const program::Step& step : p->with_partials.steps())
+    if (step.operation == program::Operation::input) p->inputs.push_back(static_cast<std::uint32_t>(step.a));
   number_[set] = static_cast<std::uint32_t>(programs_.size());
   own_[set] = true;
   programs_.push_back(std::move(p));

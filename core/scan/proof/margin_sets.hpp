@@ -21,6 +21,7 @@ class MarginSets {
   std::size_t words() const { return words_; }
   std::size_t size() const { return size_; }
   std::uint32_t add(std::span<const std::uint64_t> bits);  // `words` of them
+  std::uint32_t add_all(std::size_t margins);              // the set of so many
   std::span<const std::uint64_t> bits(std::uint32_t set) const { return {pool_.data() + set * words_, words_}; }
 
  private:
@@ -49,6 +50,7 @@ class MarginSets {
 // What is run for a set: of its margins, or of more.
 struct MarginProgram {
   std::vector<std::uint32_t> margins;
+  std::vector<std::uint32_t> inputs;       // that they depend on
   program::Program values, with_partials;  // of those margins, as BoxedMargins has them of all
 };
 

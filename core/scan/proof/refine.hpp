@@ -1,7 +1,7 @@
-// Boxes are halved, and their halves judged.
+// Boxes are halved, and their halves examined.
 #pragma once
 
-#include <core/scan/proof/judge.hpp>
+#include <core/scan/proof/examiner.hpp>
 #include <core/scan/proof/open_boxes.hpp>
 
 #include <limits>
@@ -22,20 +22,20 @@ struct Ends {
 };
 
 struct Refined {
-  Refined(std::size_t axes, std::size_t margins) : open(axes), ends(axes), judgement(margins) {}
+  Refined(std::size_t axes, std::size_t margins) : open(axes), ends(axes), examination(margins) {}
 
-  OpenBoxes open;  // in the order of the boxes they came from; sets as judgement.sets numbers them
+  OpenBoxes open;  // in the order of the boxes they came from; sets as examination.sets numbers them
   static constexpr std::uint32_t nowhere = ~std::uint32_t{0};
   std::vector<std::uint32_t> came_from;  // of each of those sets, the set of the first box that has it; no box has it: `nowhere`
   program::Bounds filled{0, 0};          // bounds of the volume of boxes that the set fills
   std::vector<Ends> ends;                // of filled boxes
   std::uint64_t filled_count = 0;
-  std::uint64_t boxes = 0;  // judged
-  Judgement judgement;
+  std::uint64_t boxes = 0;  // examined
+  Examination examination;
 };
 
 // The boxes of `from` that `which` tells, each halved along all axes of its split.
-void refine(const OpenBoxes& from, std::span<const std::uint32_t> which, std::size_t need, const BoxedMargins& margins, BoxJudge& judge,
+void refine(const OpenBoxes& from, std::span<const std::uint32_t> which, std::size_t need, const BoxedMargins& margins, Examiner& examiner,
             Refined& out);
 
 // Sums, rounded outward.

@@ -57,7 +57,7 @@ Interval volume_of(std::span<const Bounds> sides) {
   return v;
 }
 
-// The judged parts, one after the other; where rounding goes upward.
+// The examined parts, one after the other; where rounding goes upward.
 class Sorter {
  public:
   Sorter(std::size_t need, const BoxedMargins& margins, Refined& out)
@@ -68,14 +68,14 @@ class Sorter {
     open_.clear(), shares_.clear();
     std::ranges::fill(blame_, 0);
     for (std::size_t k = 0; k < questions.size(); ++k) {
-      const BoxVerdict& verdict = out_.judgement.verdicts[first + k];
-      if (verdict.kind == BoxVerdict::Kind::inside) ++sure;
-      if (verdict.kind != BoxVerdict::Kind::open) continue;
+      const Verdict& verdict = out_.examination.verdicts[first + k];
+      if (verdict.kind == Verdict::Kind::inside) ++sure;
+      if (verdict.kind != Verdict::Kind::open) continue;
       if (out_.came_from[verdict.set] == Refined::nowhere) out_.came_from[verdict.set] = questions[k].set;
       open_.push_back({questions[k].orientation, verdict.set});
       blind = blind || verdict.blind;
       shares_.push_back({verdict.low, verdict.high});
-      for (std::size_t q = 0; q < blame_.size(); ++q) blame_[q] += out_.judgement.blame[(first + k) * blame_.size() + q];
+      for (std::size_t q = 0; q < blame_.size(); ++q) blame_[q] += out_.examination.blame[(first + k) * blame_.size() + q];
     }
     if (sure + open_.size() < need_) return;
     const Interval volume = volume_of(sides);
@@ -121,7 +121,7 @@ void Ends::add(const Ends& more) {
   high_at_least = std::max(high_at_least, more.high_at_least);
 }
 
-void refine(const OpenBoxes& from, std::span<const std::uint32_t> which, std::size_t need, const BoxedMargins& margins, BoxJudge& judge,
+void refine(const OpenBoxes& from, std::span<const std::uint32_t> which, std::size_t need, const BoxedMargins& margins, Examiner& examiner,
             Refined& out) {
   const std::size_t axes = margins.axes().size();
   std::vector<Bounds> parts;
@@ -138,8 +138,8 @@ void refine(const OpenBoxes& from, std::span<const std::uint32_t> which, std::si
     }
   }
   first.push_back(questions.size());
-  judge.judge(parts, questions, out.judgement);
-  out.came_from.assign(out.judgement.sets.size(), Refined::nowhere);
+  examiner.examine(parts, questions, out.examination);
+  out.came_from.assign(out.examination.sets.size(), Refined::nowhere);
   out.boxes = of_part.size();
   program::round_upward([&] {
     Sorter sorter(need, margins, out);

@@ -5,6 +5,8 @@
 namespace pmreport::scenario {
 namespace {
 
+constexpr std::size_t longest_name = 40;
+
 std::vector<std::string> names_of(const Topology& topology) {
   std::vector<std::string> out;
   for (const Coordinate& c : topology.coordinates) out.push_back(c.name);
@@ -12,6 +14,18 @@ std::vector<std::string> names_of(const Topology& topology) {
 }
 
 }  // namespace
+
+std::string read_section_name(const Value& value, const Reader& reader) {
+  const auto name = reader.text(value);
+  if (!name) return {};
+  const bool sound = !name->empty() && name->size() <= longest_name && std::ranges::all_of(*name, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+  if (!sound)
+    reader.diagnostics().add(value.place, fmt::format("expected a short name, seen {}", in_quotes(*name)),
+                             "lower-case letters, digits, _ and - alone: it becomes part of file names and of quantities");
+  return *name;
+}
 
 std::optional<double> read_time(const Value& value, const std::optional<TimeSpan>& span, const Reader& reader) {
   const auto t = reader.quantity(value, {0, 0, 1, 0});

@@ -23,6 +23,8 @@ struct Reading {
   const Origin* origin = nullptr;          // of the scenario; never null
 };
 
+// The name of a section among several of its kind: it becomes part of file names and of quantities. What cannot is told.
+std::string read_section_name(const Value& value, const Reader& reader);
 // A time that must lie within the motion; told when it does not, or when there is no motion.
 std::optional<double> read_time(const Value& value, const std::optional<TimeSpan>& span, const Reader& reader);
 // The items of a list of one to `most`; what is wrong is reported.

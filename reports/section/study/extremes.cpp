@@ -49,6 +49,13 @@ std::string extremes_sentence(const StudyOptions& o, std::size_t number, const s
         return !has(*j, number) || order_of(j->numbers[number], all[high->index]->numbers[number]) == analysis::Order::equal;
       }))
     return fmt::format("The {} is {} throughout.", title, value(*high));
+  const auto known = static_cast<std::size_t>(std::ranges::count_if(all, [&](const Judged* j) { return has(*j, number); }));
+  if (high->alike.size() + 1 == known && low->alike.size() + 1 == known && known > 1) {
+    Bracketed span = all[high->index]->numbers[number];
+    for (const Judged* j : all)
+      if (has(*j, number)) span.low = std::min(span.low, j->numbers[number].low), span.high = std::max(span.high, j->numbers[number].high);
+    return fmt::format("The {} lies within {}, of all variants; their brackets do not tell them apart.", title, with_unit(span, unit));
+  }
   return fmt::format("The {} is largest, {}, {}{}, and smallest, {}, {}{}.", title, value(*high), where(high->index), alike_words(*high),
                      value(*low), where(low->index), alike_words(*low));
 }

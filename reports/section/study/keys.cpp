@@ -19,15 +19,7 @@ namespace {
 
 const char* const questions[] = {"sweep", "variants", "optimise", "pareto"};
 
-void read_name(const Entry& e, const Reading& r, O& options) {
-  options.name = r.reader.text(e.value).value_or("");
-  const bool sound = !options.name.empty() && options.name.size() <= 40 && std::ranges::all_of(options.name, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  });
-  if (!sound)
-    r.reader.diagnostics().add(e.value.place, fmt::format("expected a short name, seen {}", in_quotes(options.name)),
-                               "lower-case letters, digits, _ and - alone: it becomes part of file names and of quantities");
-}
+void read_name(const Entry& e, const Reading& r, O& options) { options.name = read_section_name(e.value, r.reader); }
 
 void read_measure(const Entry& e, const Reading& r, O& options) {
   std::vector<std::string> seen;

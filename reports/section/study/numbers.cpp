@@ -30,26 +30,31 @@ std::string within_quantities(std::string name) {
 
 std::vector<Offered> offered_by(const std::vector<scenario::Section>& sections, const Topology& topology) {
   std::vector<Offered> out;
-  const auto add = [&](What what, const std::string& name, const std::string& unit, std::string title, const WorkspaceOptions* w,
-                       std::size_t axis) {
+  const auto add = [&](What what, const std::string& name, const std::string& unit, std::string title, std::string label,
+                       const WorkspaceOptions* w, std::size_t axis) {
     const bool known = std::ranges::any_of(out, [&](const Offered& o) { return o.number.what.name == name; });
-    if (!known) out.push_back({{{what, name, 0, axis}, within_quantities(name), unit, std::move(title)}, w});
+    if (!known) out.push_back({{{what, name, 0, axis}, within_quantities(name), unit, std::move(title), std::move(label)}, w});
   };
   for (const scenario::Section& s : sections) {
     const auto* w = dynamic_cast<const WorkspaceOptions*>(s.options.get());
     if (w == nullptr) continue;
-    const std::string of = w->name.empty() ? "of the workspace" : fmt::format("of the workspace {}", in_quotes(w->name));
+    const bool named = !w->name.empty();
+    const std::string of = named ? fmt::format("of the workspace {}", in_quotes(w->name)) : "of the workspace",
+                      behind = named ? fmt::format(" ({})", w->name) : "";
     const std::size_t axes = w->request.scan.size();
-    const bool space = axes == 3 && w->unit == "m^3";
-    add(What::volume, quantity_name(*w, "volume"), w->unit, (space ? "volume " : "size ") + of, w, 0);
+    const char* const size = axes == 3 && w->unit == "m^3" ? "volume" : axes == 2 && w->unit == "m^2" ? "area" : "size";
+    add(What::volume, quantity_name(*w, "volume"), w->unit, fmt::format("{} {}", size, of), size + behind, w, 0);
     for (std::size_t i = 0; i < axes; ++i) {
       const Coordinate& c = topology.coordinates[static_cast<std::size_t>(w->request.scan[i].coordinate)];
-      add(What::low, quantity_name(*w, c.name + "_low"), c.unit, fmt::format("least {} {}", c.name, of), w, i);
-      add(What::high, quantity_name(*w, c.name + "_high"), c.unit, fmt::format("most {} {}", c.name, of), w, i);
+      add(What::low, quantity_name(*w, c.name + "_low"), c.unit, fmt::format("lower end {} in {}", of, c.name),
+          c.name + ", lower end" + behind, w, i);
+      add(What::high, quantity_name(*w, c.name + "_high"), c.unit, fmt::format("upper end {} in {}", of, c.name),
+          c.name + ", upper end" + behind, w, i);
     }
   }
-  add(What::condition, "home.condition", "", "condition number at home", nullptr, 0);
-  add(What::smallest_singular_value, "home.smallest_singular_value", "", "smallest singular value at home", nullptr, 0);
+  add(What::condition, "home.condition", "", "condition number at home", "condition number", nullptr, 0);
+  add(What::smallest_singular_value, "home.smallest_singular_value", "", "smallest singular value at home", "smallest singular value",
+      nullptr, 0);
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace pmreport::section {
@@ -148,6 +149,12 @@ Evidence constraints_kept(const Told& t, const std::string& claim, const std::st
   return {claim, how, violation(t.o.constraints, closer), 0, ""};
 }
 
+std::string within_a_sentence(std::string s) {
+  s.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(s.front())));
+  if (s.ends_with('.')) s.pop_back();
+  return s;
+}
+
 std::vector<Evidence> evidence(const Told& t) {
   std::vector<Evidence> out;
   const std::string look = closer_look(t.o), kept = "the best variant keeps every constraint at a closer look",
@@ -165,7 +172,7 @@ std::vector<Evidence> evidence(const Told& t) {
   if (t.found.agreement == Agreement::agree || t.found.agreement == Agreement::flat)
     out.push_back({claim, how + ": gap between the brackets of the goal, of its value", goal_gap(t), analysis::same_value, ""});
   else
-    out.push_back(Evidence::without_value(Verdict::not_decided, claim, how, agreement_words(t)));
+    out.push_back(Evidence::without_value(Verdict::not_decided, claim, how, within_a_sentence(agreement_words(t))));
   return out;
 }
 
@@ -192,9 +199,8 @@ void add_values(const Told& t, Result& out) {
 figure::Figure course_of(const Told& t) {
   const DisplayUnit unit = unit_of(t.o, t.goal(), judged_of(t.found.trials));
   figure::Panel p;
-  p.title = title_of(t.o, t.goal());
   p.x = {"variant", ""};
-  p.y = {title_of(t.o, t.goal()), unit.label};
+  p.y = {label_of(t.o, t.goal()), unit.label};
   figure::Series kept{"keeps all constraints", {}, {}, 0, true}, broken{"breaks a constraint", {}, {}, 1, true},
       best{"best so far", {}, {}, 2};
   if (t.o.constraints.empty()) kept.label = "variant";
@@ -244,6 +250,7 @@ void add_optimum(const Analysis& a, const StudyOptions& o, const Progress& progr
                                                     plural(static_cast<int>(all.size()), "variant"))
                                       : fmt::format("None of {} could be judged.", plural(static_cast<int>(all.size()), "variant")));
   say(Paragraph::Tone::note, failures(all));
+  say(Paragraph::Tone::note, cut_off(all));
   if (any) {
     if (found.best) say(Paragraph::Tone::plain, agreement_words(t));
     blocks.push_back(table_of_parameters(t));

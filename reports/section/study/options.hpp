@@ -18,6 +18,7 @@ struct StudiedNumber {
   std::string own;    // within quantities of the study: "volume", "inner_volume"
   std::string unit;   // SI
   std::string title;  // "volume of the workspace"
+  std::string label;  // of axes and columns: "volume"
 };
 
 // A parameter that a study varies.

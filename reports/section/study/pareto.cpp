@@ -38,7 +38,7 @@ document::Table table_of(const StudyOptions& o, const Front& f) {
   for (const FrontPoint& p : f.points) all.push_back(&p.confirmed);
   for (std::size_t n = 0; n < o.numbers.size(); ++n) {
     numbers.push_back(unit_of(o, n, all));
-    out.headings.push_back(heading(title_of(o, n), numbers.back())), out.numeric.push_back(true);
+    out.headings.push_back(heading(label_of(o, n), numbers.back())), out.numeric.push_back(true);
   }
   for (std::size_t k = 0; k < f.points.size(); ++k) {
     std::vector<std::string> row{std::to_string(k + 1)};
@@ -55,17 +55,16 @@ figure::Figure figure_of(const StudyOptions& o, const DesignProblem& problem, co
   const std::vector<const Judged*> all = judged_of(f.trials);
   const DisplayUnit x = unit_of(o, across, all), y = unit_of(o, up, all);
   figure::Panel p;
-  p.x = {title_of(o, across), x.label};
-  p.y = {title_of(o, up), y.label};
-  p.title = "front";
-  figure::Series front{"front", {}, {}, 0}, marks{"", {}, {}, 0, true}, tried{"tried", {}, {}, 7, true},
+  p.x = {label_of(o, across), x.label};
+  p.y = {label_of(o, up), y.label};
+  figure::Series front{"front", {}, {}, 0}, marks{"", {}, {}, 0, true}, tried{"tried", {}, {}, 8, true},
       own{"this scenario", {}, {}, 3, true};
   const auto add = [&](figure::Series& to, const Judged& j) {
     to.x.push_back(j.numbers[across].value * x.per_si), to.y.push_back(j.numbers[up].value * y.per_si);
   };
   for (const analysis::Trial& t : f.trials)
     if (problem.feasible(t.judged)) add(tried, t.judged);
-  for (const FrontPoint& q : f.points) add(front, q.confirmed), add(marks, q.confirmed);
+  for (const FrontPoint& q : f.points) add(front, f.trials[q.trial].judged), add(marks, f.trials[q.trial].judged);
   if (problem.usable(f.own)) add(own, f.own);
   for (figure::Series* s : {&tried, &front, &marks, &own})
     if (!s->x.empty()) p.series.push_back(std::move(*s));
@@ -124,6 +123,7 @@ void add_front(const Analysis& a, const StudyOptions& o, const Progress& progres
     say(Paragraph::Tone::note, fmt::format("{} fell behind another, or broke a constraint, at the closer look, and left the front.",
                                            plural(static_cast<int>(f.dropped), "point")));
   say(Paragraph::Tone::note, failures(all));
+  say(Paragraph::Tone::note, cut_off(all));
   if (!f.points.empty()) {
     blocks.push_back(figure_of(o, problem, f));
     blocks.push_back(table_of(o, f));

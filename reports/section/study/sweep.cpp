@@ -22,7 +22,7 @@ using document::Paragraph;
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t most_rows = 60;     // that a table has
+constexpr std::size_t most_rows = 40;     // of a table: more are left to the data file
 constexpr double seen = 5e-3;             // of a panel's height: a bracket that is narrower is not drawn
 constexpr std::size_t most_values = 400;  // variants that have values of their own, for checks
 
@@ -34,8 +34,6 @@ std::vector<const Judged*> pointers(const Sweep& s) {
 
 document::Table table_of(const StudyOptions& o, const Sweep& s, const std::vector<const Judged*>& all) {
   document::Table out{"Every variant.", {}, {}, {}};
-  if (s.values.size() > most_rows)
-    out.caption = fmt::format("The first {} of {} variants; all are in the data file.", most_rows, s.values.size());
   std::vector<DisplayUnit> parameters, numbers;
   const auto add = [&](std::string heading, bool numeric) {
     out.headings.push_back(std::move(heading));
@@ -47,11 +45,11 @@ document::Table table_of(const StudyOptions& o, const Sweep& s, const std::vecto
   }
   for (std::size_t n = 0; n < o.numbers.size(); ++n) {
     numbers.push_back(unit_of(o, n, all));
-    add(heading(title_of(o, n), numbers.back()), true);
+    add(heading(label_of(o, n), numbers.back()), true);
   }
   const bool remarks = std::ranges::any_of(all, [](const Judged* j) { return !remark(*j).empty(); });
   if (remarks) add("remark", false);
-  for (std::size_t k = 0; k < std::min(most_rows, s.values.size()); ++k) {
+  for (std::size_t k = 0; k < s.values.size(); ++k) {
     std::vector<std::string> row;
     for (std::size_t i = 0; i < o.over.size(); ++i) row.push_back(typeset(format_number(s.values[k][i] * parameters[i].per_si, 6)));
     for (std::size_t n = 0; n < o.numbers.size(); ++n) row.push_back(cell(s.judged[k].numbers, n, numbers[n]));
@@ -83,7 +81,7 @@ figure::Panel curve_of(const StudyOptions& o, const Sweep& s, std::size_t n, con
   figure::Panel out;
   out.title = title_of(o, n);
   out.x = {o.over[0].name, x.label};
-  out.y = {title_of(o, n), y.label};
+  out.y = {label_of(o, n), y.label};
   figure::Series value{"", {}, {}, 0}, low{"", {}, {}, 1}, high{"", {}, {}, 1};
   double least = std::numeric_limits<double>::infinity(), most = -least, widest = 0;
   for (std::size_t k = 0; k < s.values.size(); ++k) {
@@ -117,7 +115,7 @@ figure::Panel map_of(const StudyOptions& o, const Sweep& s, std::size_t n, const
   out.y = {o.over[1].name, y.label};
   figure::ColourMap map;
   map.scale = figure::ColourMap::Scale::sequential;
-  map.bar = {title_of(o, n), z.label};
+  map.bar = {label_of(o, n), z.label};
   const std::size_t columns = o.over[0].count, rows = o.over[1].count;
   for (std::size_t i = 0; i < columns; ++i) map.x.push_back(s.values[i * rows][0] * x.per_si);
   for (std::size_t j = 0; j < rows; ++j) map.y.push_back(s.values[j][1] * y.per_si);
@@ -164,11 +162,12 @@ void add_sweep(const Analysis& a, const StudyOptions& o, const Progress& progres
                              fmt::format("{} of {}: {}; all else is as the scenario has it.", plural(static_cast<int>(count), "variant"),
                                          a.machine().info().name, listed(names, "and"))});
   if (std::string f = failures(all); !f.empty()) blocks.push_back(Paragraph{Paragraph::Tone::warning, std::move(f)});
+  if (std::string s = cut_off(all); !s.empty()) blocks.push_back(Paragraph{Paragraph::Tone::note, std::move(s)});
   for (std::size_t n = 0; n < o.numbers.size(); ++n)
     blocks.push_back(
         Paragraph{Paragraph::Tone::plain, extremes_sentence(o, n, all, [&](std::size_t k) { return "at " + place_of(o, s.values[k]); })});
   if (std::ranges::any_of(all, [](const Judged* j) { return j->made(); })) blocks.push_back(figure_of(o, s, own, all));
-  blocks.push_back(table_of(o, s, all));
+  if (count <= most_rows) blocks.push_back(table_of(o, s, all));
 
   document::Data data;
   data.words.emplace_back();

@@ -56,7 +56,7 @@ figure::Figure figure_of(const StudyOptions& o, const std::vector<const Judged*>
     const DisplayUnit unit = unit_of(o, n, all);
     figure::Panel p;
     p.title = title_of(o, n);
-    p.x = {title_of(o, n), unit.label};
+    p.x = {label_of(o, n), unit.label};
     for (std::size_t k = all.size(); k-- > 0;) p.y.names.push_back(o.variants[k].name);
     figure::Series points{"", {}, {}, 0, true}, lines{"", {}, {}, 0};
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -80,7 +80,7 @@ document::Table table_of(const Analysis& a, const StudyOptions& o, const std::ve
   std::vector<DisplayUnit> units;
   for (std::size_t n = 0; n < o.numbers.size(); ++n) {
     units.push_back(unit_of(o, n, all));
-    out.headings.push_back(heading(title_of(o, n), units.back()));
+    out.headings.push_back(heading(label_of(o, n), units.back()));
     out.numeric.push_back(true);
   }
   const bool remarks = std::ranges::any_of(all, [](const Judged* j) { return !remark(*j).empty(); });
@@ -105,6 +105,7 @@ void add_variants(const Analysis& a, const StudyOptions& o, const Progress& prog
 
   auto& blocks = out.section.blocks;
   if (std::string f = failures(all); !f.empty()) blocks.push_back(Paragraph{Paragraph::Tone::warning, std::move(f)});
+  if (std::string s = cut_off(all); !s.empty()) blocks.push_back(Paragraph{Paragraph::Tone::note, std::move(s)});
   for (std::size_t n = 0; n < o.numbers.size(); ++n)
     blocks.push_back(
         Paragraph{Paragraph::Tone::plain, extremes_sentence(o, n, all, [&](std::size_t k) { return "of " + o.variants[k].name; })});

@@ -96,6 +96,13 @@ std::string failures(const std::vector<const Judged*>& all) {
   return out + ".";
 }
 
+std::string cut_off(const std::vector<const Judged*>& all) {
+  const auto n = static_cast<int>(std::ranges::count_if(all, [](const Judged* j) { return j->cut_off; }));
+  if (n == 0) return {};
+  return fmt::format("The workspace of {} of {} may go on beyond the scanned range; what lies there does not count.", n,
+                     plural(static_cast<int>(all.size()), "variant"));
+}
+
 void add_columns(const StudyOptions& o, const std::vector<const Judged*>& all, document::Data& data) {
   for (std::size_t n = 0; n < o.numbers.size(); ++n) {
     const std::string& unit = o.numbers[n].unit;
@@ -114,5 +121,7 @@ void add_columns(const StudyOptions& o, const std::vector<const Judged*>& all, d
 }
 
 const std::string& title_of(const StudyOptions& o, std::size_t number) { return o.numbers[number].title; }
+
+const std::string& label_of(const StudyOptions& o, std::size_t number) { return o.numbers[number].label; }
 
 }  // namespace pmreport::section

@@ -34,10 +34,13 @@ std::string change(const Bracketed& now, const Bracketed& before);
 // Nothing where all were.
 std::string failures(const std::vector<const Judged*>& all);
 
+// Variants whose workspace goes up to the end of the scanned range. Nothing where none does.
+std::string cut_off(const std::vector<const Judged*>& all);
+
 // Columns of the numbers, each with its two ends where any has a bracket.
 void add_columns(const StudyOptions& o, const std::vector<const Judged*>& all, document::Data& data);
 
-// "workspace.volume" as curves and headings have it: the title, "volume of the workspace".
-const std::string& title_of(const StudyOptions& o, std::size_t number);
+const std::string& title_of(const StudyOptions& o, std::size_t number);  // "volume of the workspace", for sentences
+const std::string& label_of(const StudyOptions& o, std::size_t number);  // "volume", for axes and headings
 
 }  // namespace pmreport::section

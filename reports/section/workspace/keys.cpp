@@ -142,15 +142,7 @@ void read_number_above_zero(const Entry& e, const Reading& r, const Dimension& d
   if (x) to = *x;
 }
 
-void read_name(const Entry& e, const Reading& r, O& options) {
-  options.name = r.reader.text(e.value).value_or("");
-  const bool sound = !options.name.empty() && options.name.size() <= 40 && std::ranges::all_of(options.name, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  });
-  if (!sound)
-    r.reader.diagnostics().add(e.value.place, fmt::format("expected a short name, seen {}", in_quotes(options.name)),
-                               "lower-case letters, digits, _ and - alone: it becomes part of file names and of quantities");
-}
+void read_name(const Entry& e, const Reading& r, O& options) { options.name = read_section_name(e.value, r.reader); }
 
 void read_proportions(const Entry& e, const Reading& r, O& options) {
   if (!r.mechanism.topology) return;

@@ -79,6 +79,18 @@ TEST_CASE("the angle of a joint that counts the other way keeps its limits too")
         [](double x, double y) { return -std::atan2(y, x); });
 }
 
+TEST_CASE("an angle that counts from elsewhere keeps its limits by sine and cosine") {
+  const auto angle = [](double x, double y) { return pi / 2 - std::atan2(y, x); };
+  for (const auto& [min, max] : {std::pair{-0.7, 1.3}, {0.4, 2.0}, {1.6, 3.0}}) {
+    const auto record = [](const Recorded& x, const Recorded& y) { return pi / 2 - atan2(y, x); };
+    check(min, max, 2, record, angle);
+    for (const program::Step& s : margins_of(min, max, record).program.steps()) CHECK(s.operation != program::Operation::atan2);
+  }
+  // Beyond half a turn the angle itself is looked at.
+  check(
+      -2.0, 4.0, 2, [](const Recorded& x, const Recorded& y) { return pi / 2 - atan2(y, x); }, angle);
+}
+
 TEST_CASE("a length keeps its limits by its square") {
   const auto record = [](const Recorded& x, const Recorded& y) { return sqrt(x * x + y * y); };
   const auto value = [](double x, double y) { return std::hypot(x, y); };

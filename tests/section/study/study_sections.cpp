@@ -37,7 +37,7 @@ TEST_CASE("a sweep has a row a variant with its area, and one that cannot be mad
   CHECK(r.value("smallest_x_high") == Approx(0.1));
   CHECK(r.value("volume_2") == Approx(counted(0.2) * counted(0.1)));
   CHECK_THAT(r.words(), Contains("1 of 6 variants could not be made or judged: a and b together are longer than the frame (1).") &&
-                            Contains("up to the end of the range of x") && Contains("at a = 500 mm") && Contains("at a = 100 mm"));
+                            Contains("may go on beyond the range of x") && Contains("at a = 500 mm") && Contains("at a = 100 mm"));
   REQUIRE(r.figures().size() == 1);
   const figure::Figure f = r.figures()[0];
   REQUIRE(f.panels.size() == 2);
@@ -67,7 +67,7 @@ TEST_CASE("a sweep over two parameters is a map, and refused corners are gaps in
 
 TEST_CASE("variants that have the same area are not told apart, and say so") {
   const Run r(text("sweep = { a = [\"101 mm\", \"104 mm\", 4] }\n"));
-  CHECK_THAT(r.words(), Contains("The size of the workspace is") && Contains("throughout"));
+  CHECK_THAT(r.words(), Contains("The area of the workspace is") && Contains("throughout"));
 }
 
 TEST_CASE("machines stand side by side, of this mechanism and of other scenarios, each with its own workspace") {
@@ -113,7 +113,7 @@ TEST_CASE("a constraint that binds is told to be active, and the closer look kee
   CHECK(r.value("best_y_high") == Approx(0.15));
   CHECK(r.value("at_b") >= 0.15 - 1e-9);
   CHECK(r.value("at_b") < 0.16);
-  CHECK_THAT(r.words(), Contains("size of the workspace ≤ 0.0651 m²") && Contains("active"));
+  CHECK_THAT(r.words(), Contains("area of the workspace ≤ 0.0651 m²") && Contains("active"));
   REQUIRE(r.evidence().size() == 3);
 }
 

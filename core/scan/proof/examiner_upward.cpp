@@ -1,4 +1,4 @@
-#include <core/scan/proof/judge.hpp>
+#include <core/scan/proof/examiner.hpp>
 
 #include <core/program/interval.hpp>
 #include <core/program/rounding.hpp>
@@ -63,7 +63,7 @@ Centred centred(const Bounds* natural, const Bounds* middle, const Bounds* parti
 
 }  // namespace
 
-struct BoxJudge::Runner {
+struct Examiner::Runner {
   Runner(const MarginProgram& what, std::size_t inputs)
       : program(&what),
         over(what.with_partials),
@@ -78,25 +78,25 @@ struct BoxJudge::Runner {
   std::vector<Bounds> in, in_middle, out, out_middle;
 };
 
-struct BoxJudge::Batch {
+struct Examiner::Batch {
   std::span<const Bounds> boxes;
   std::span<const Question> questions;     // all
   std::span<const std::uint32_t> numbers;  // of those of the batch
-  Judgement* out;
+  Examination* out;
 };
 
-BoxJudge::BoxJudge(const BoxedMargins& margins, const MarginSets& sets, const MarginPrograms& programs)
+Examiner::Examiner(const BoxedMargins& margins, const MarginSets& sets, const MarginPrograms& programs)
     : margins_(margins), sets_(sets), programs_(programs) {}
-BoxJudge::~BoxJudge() = default;
+Examiner::~Examiner() = default;
 
-BoxJudge::Runner& BoxJudge::runner(std::uint32_t number) {
+Examiner::Runner& Examiner::runner(std::uint32_t number) {
   if (const auto found = runners_.find(number); found != runners_.end()) return *found->second;
   if (runners_.size() >= most_runners) runners_.clear();
   auto made = std::make_unique<Runner>(programs_.program(number), static_cast<std::size_t>(margins_.values().inputs()));
   return *runners_.emplace(number, std::move(made)).first->second;
 }
 
-void BoxJudge::judge(std::span<const Bounds> boxes, std::span<const Question> questions, Judgement& out) {
+void Examiner::examine(std::span<const Bounds> boxes, std::span<const Question> questions, Examination& out) {
   out.verdicts.assign(questions.size(), {});
   out.blame.assign(questions.size() * margins_.axes().size(), 0);
   order_.resize(questions.size());
@@ -105,11 +105,11 @@ void BoxJudge::judge(std::span<const Bounds> boxes, std::span<const Question> qu
   std::ranges::stable_sort(order_, {}, number);
   for (std::size_t from = 0, to = 0; from < order_.size(); from = to) {
     while (to < order_.size() && to - from < most_boxes && number(order_[to]) == number(order_[from])) ++to;
-    judge_batch({boxes, questions, std::span(order_).subspan(from, to - from), &out}, runner(number(order_[from])));
+    examine_batch({boxes, questions, std::span(order_).subspan(from, to - from), &out}, runner(number(order_[from])));
   }
 }
 
-void BoxJudge::judge_batch(const Batch& batch, Runner& runner) {
+void Examiner::examine_batch(const Batch& batch, Runner& runner) {
   const std::size_t count = batch.numbers.size();
   fill(batch, runner);
   runner.over.run(count, runner.in.data(), runner.out.data());
@@ -117,23 +117,21 @@ void BoxJudge::judge_batch(const Batch& batch, Runner& runner) {
   program::round_upward([&] { weigh(batch, runner); });
 }
 
-void BoxJudge::fill(const Batch& batch, Runner& runner) {
+void Examiner::fill(const Batch& batch, Runner& runner) {
   const std::size_t count = batch.numbers.size(), axes = margins_.axes().size();
-  const auto inputs = static_cast<std::size_t>(margins_.values().inputs());
-  for (std::size_t k = 0; k < count; ++k) {
-    const Question& question = batch.questions[batch.numbers[k]];
-    const std::span<const Bounds> fixed = margins_.fixed(question.orientation);
-    for (std::size_t i = 0; i < inputs; ++i) runner.in[i * count + k] = runner.in_middle[i * count + k] = fixed[i];
-    for (std::size_t q = 0; q < axes; ++q) {
-      const Bounds x = batch.boxes[question.box * axes + q];
+  for (const std::uint32_t i : runner.program->inputs)
+    for (std::size_t k = 0; k < count; ++k)
+      runner.in[i * count + k] = runner.in_middle[i * count + k] = margins_.fixed(batch.questions[batch.numbers[k]].orientation)[i];
+  for (std::size_t q = 0; q < axes; ++q)
+    for (std::size_t k = 0; k < count; ++k) {
+      const Bounds x = batch.boxes[batch.questions[batch.numbers[k]].box * axes + q];
       const std::size_t at = static_cast<std::size_t>(margins_.axes()[q].input) * count + k;
       runner.in[at] = x;
       runner.in_middle[at] = Bounds::exactly(x.middle());
     }
-  }
 }
 
-void BoxJudge::weigh(const Batch& batch, const Runner& runner) {
+void Examiner::weigh(const Batch& batch, const Runner& runner) {
   const std::size_t count = batch.numbers.size(), axes = margins_.axes().size(), words = sets_.words();
   const std::vector<std::uint32_t>& margins = runner.program->margins;
   std::vector<std::uint64_t> left(words);
@@ -142,7 +140,7 @@ void BoxJudge::weigh(const Batch& batch, const Runner& runner) {
   for (std::size_t k = 0; k < count; ++k) {
     const Question& question = batch.questions[batch.numbers[k]];
     const std::span<const std::uint64_t> asked = sets_.bits(question.set);
-    BoxVerdict& verdict = batch.out->verdicts[batch.numbers[k]];
+    Verdict& verdict = batch.out->verdicts[batch.numbers[k]];
     for (std::size_t q = 0; q < axes; ++q)
       sides[q] =
           side(batch.boxes[question.box * axes + q], runner.in_middle[static_cast<std::size_t>(margins_.axes()[q].input) * count + k].low);
@@ -159,7 +157,7 @@ void BoxJudge::weigh(const Batch& batch, const Runner& runner) {
       const Centred g =
           centred(&runner.out[i * count + k], at_middle, &runner.out[(margins.size() + i * axes) * count + k], count, {sides.data(), axes});
       if (g.value.bounded() && g.value.high < 0) {
-        verdict = {BoxVerdict::Kind::outside, 0, false, 0, 0, static_cast<int>(m), -1, static_cast<int>(m)};
+        verdict = {Verdict::Kind::outside, 0, false, 0, 0, static_cast<int>(m), -1, static_cast<int>(m)};
         break;
       }
       if (g.value.bounded() && 0 <= g.value.low()) continue;
@@ -187,9 +185,9 @@ void BoxJudge::weigh(const Batch& batch, const Runner& runner) {
       }
       if (depth < verdict.depth) verdict.depth = depth, verdict.margin = static_cast<int>(m);
     }
-    if (verdict.kind == BoxVerdict::Kind::outside) continue;
+    if (verdict.kind == Verdict::Kind::outside) continue;
     if (open == 0) {
-      verdict = {BoxVerdict::Kind::inside, 0, false, 1, 1, -1, 1, -1};
+      verdict = {Verdict::Kind::inside, 0, false, 1, 1, -1, 1, -1};
       continue;
     }
     // One margin is open for how it bends alone, which its halves do a quarter of; several also for what each of them covers.

@@ -20,9 +20,9 @@ struct Question {
   std::uint32_t set = 0;
 };
 
-struct BoxVerdict {
+struct Verdict {
   enum class Kind : std::uint8_t { outside, inside, open } kind = Kind::open;
-  std::uint32_t set = 0;     // open: the margins that are left, as Judgement::sets numbers them
+  std::uint32_t set = 0;     // open: the margins that are left, as Examination::sets numbers them
   bool blind = false;        // open: a margin that is left has no bounds
   double low = 0, high = 1;  // the share of the box that belongs to the set lies between
   int margin = -1;           // that is negative all over; open: that is nearest to it
@@ -30,28 +30,28 @@ struct BoxVerdict {
   int middle = -1;           // a margin that is negative at the middle of the box, if there is one
 };
 
-struct Judgement {
-  explicit Judgement(std::size_t margins) : sets(margins) {}
-  std::vector<BoxVerdict> verdicts;  // one a question
+struct Examination {
+  explicit Examination(std::size_t margins) : sets(margins) {}
+  std::vector<Verdict> verdicts;  // one a question
   // One a question and axis: how much of what is open is owed to the width along it, comparable within a box.
   std::vector<double> blame;
   MarginSets sets;
 };
 
 // Keeps its buffers: one a thread. What it takes must outlive it, and the sets and programs must not grow while it runs.
-class BoxJudge {
+class Examiner {
  public:
-  BoxJudge(const BoxedMargins& margins, const MarginSets& sets, const MarginPrograms& programs);
-  ~BoxJudge();
+  Examiner(const BoxedMargins& margins, const MarginSets& sets, const MarginPrograms& programs);
+  ~Examiner();
 
   // The answers do not depend on how questions are put together.
-  void judge(std::span<const program::Bounds> boxes, std::span<const Question> questions, Judgement& out);
+  void examine(std::span<const program::Bounds> boxes, std::span<const Question> questions, Examination& out);
 
  private:
   struct Runner;
   struct Batch;
   Runner& runner(std::uint32_t number);
-  void judge_batch(const Batch& batch, Runner& runner);
+  void examine_batch(const Batch& batch, Runner& runner);
   void fill(const Batch& batch, Runner& runner);
   void weigh(const Batch& batch, const Runner& runner);
 
