@@ -102,16 +102,21 @@ TEST_CASE("other scenarios lie in the folder, are no other than they seem, and h
 }
 
 TEST_CASE("checks name the numbers of a study, as its question has them") {
-  const auto check = [](const std::string& study, const std::string& that) {
-    return told(text(study + "[[check]]\nthat = \"" + that + "\"\nabove = 0\n"));
+  const auto check = [](const std::string& study, const std::string& that, const std::string& bound) {
+    return told(text(study + "[[check]]\nthat = \"" + that + "\"\nabove = \"" + bound + "\"\n"));
   };
   const std::string sweep = "sweep = { a = [\"100 mm\", \"200 mm\", 3] }\n",
                     best = "optimise = { maximise = \"workspace.volume\", over = { a = [\"100 mm\", \"200 mm\"] } }\n";
-  CHECK(check(sweep, "study.largest_volume").empty());
-  CHECK(check(sweep, "study.volume_3").empty());
-  CHECK_THAT(check(sweep, "study.volume_4"), Contains("no quantity is called \"study.volume_4\""));
-  CHECK_THAT(check(sweep, "study.best_volume"), Contains("no quantity is called"));
-  for (const char* that : {"study.best_volume", "study.best_volume_low", "study.at_a", "study.gain", "study.failed"})
-    CHECK(check(best, that).empty());
-  CHECK(check("name = \"reach\"\n" + best, "study.reach.best_volume").empty());
+  CHECK(check(sweep, "study.largest_volume", "0 m^2").empty());
+  CHECK(check(sweep, "study.volume_3", "0 m^2").empty());
+  CHECK_THAT(check(sweep, "study.volume_4", "0 m^2"), Contains("no quantity is called \"study.volume_4\""));
+  CHECK_THAT(check(sweep, "study.best_volume", "0 m^2"), Contains("no quantity is called"));
+  CHECK_THAT(check(sweep, "study.volume_3", "0 m"), Contains("expected"));
+  for (const auto& [that, bound] : {std::pair{"study.best_volume", "0 m^2"},
+                                    {"study.best_volume_low", "0 m^2"},
+                                    {"study.at_a", "0 mm"},
+                                    {"study.gain", "0"},
+                                    {"study.failed", "-1"}})
+    CHECK(check(best, that, bound).empty());
+  CHECK(check("name = \"reach\"\n" + best, "study.reach.best_volume", "0 m^2").empty());
 }
