@@ -107,9 +107,7 @@ ColumnId column_of(const Joint& joint, OfJoint what) { return ColumnId::named(jo
 ColumnId column_of(OfPlatform vector, std::size_t axis) { return ColumnId::named(fmt::format("{}_{}", word_of(vector), "xyz"[axis])); }
 ColumnId column_of(OfMachine what) { return ColumnId::named(name_of(what)); }
 
-ColumnId joint_column(const Joint& joint, std::size_t limit) {
-  return ColumnId::named(mechanics::motion_name(joint, limit));
-}
+ColumnId joint_column(const Joint& joint, std::size_t limit) { return ColumnId::named(mechanics::motion_name(joint, limit)); }
 
 ColumnId reaction_column(const Joint& joint, int c, bool base_axes) {
   return ColumnId::named(fmt::format("{}{}_{}", joint.name, suffix_of(part_of(c)), (base_axes ? "xyz" : "123")[c % 3]));

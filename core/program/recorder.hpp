@@ -19,8 +19,8 @@ class Recorder {
 
   Recorded input(int i) { return Recorded::input(list_, i); }
   Recorded output(int o) const { return step(start_.outputs()[static_cast<std::size_t>(o)]); }  // of the program started from
-  Recorded step(int s) const;                                                                       // likewise
-  static constexpr std::size_t most_recorded = 1 << 14;                                             // on top of the program
+  Recorded step(int s) const;                                                                   // likewise
+  static constexpr std::size_t most_recorded = 1 << 14;                                         // on top of the program
 
   // The program of these numbers. Throws ProgramError: more steps than there is room for.
   Program finish(std::span<const Recorded> outputs);

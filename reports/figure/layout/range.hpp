@@ -8,7 +8,8 @@ namespace pmreport::figure {
 
 bool has_data(const Panel& panel);  // at least one finite point
 
-// All finite x, without a margin, for a motion fills its panel; with one for points, and where both axes have one scale. Of a map, that of its grid.
+// All finite x, without a margin, for a motion fills its panel; with one for points, and where both axes have one scale. Of a map, that of
+// its grid.
 Interval x_range(const Panel& panel);
 
 // The finite y with a margin, near limit lines included, spikes cut off. `headroom` opens it above by that share, for a legend.
