@@ -84,7 +84,8 @@ Names names_of(const Report& r) {
   Unique file(tables);
   for (const File& f : r.files) {
     const std::string id = f.name.starts_with("data/") ? f.name.substr(5) : f.name;
-    const std::size_t dot = id.rfind('.');
+    const std::size_t last = id.rfind('.');
+    const std::size_t dot = last != std::string::npos && id.find('/', last) == std::string::npos ? last : std::string::npos;
     const std::string extension = dot == std::string::npos ? "" : plain(id.substr(dot + 1), "");
     names.files.push_back(file(id.substr(0, dot), "file", extension.empty() ? "" : "." + extension));
   }

@@ -26,6 +26,10 @@ std::string section_of(const std::string& kind) {
       {"dynamics", "equations = [\"0.5 s\"]\n"},
       {"singularity", "poses = [{x = \"10 mm\"}]\nmap = {x = [\"-100 mm\", \"100 mm\"], z = [\"500 mm\", \"600 mm\"], points = 11}\n"},
       {"mobility", "poses = 10\n"},
+      {"workspace",
+       "method = [\"proof\", \"grid\", \"monte-carlo\"]\nscan = {x = [\"-200 mm\", \"200 mm\", 21], z = [\"450 mm\", \"650 mm\", 21]}\n"
+       "poses = 20000\nmap = \"condition\"\n"},
+      {"study", "sweep = {stroke_max = [\"0.8 m\", \"0.9 m\", 3]}\n"},
       {"comparison", "[[section.row]]\nwhat = \"freedoms\"\nhere = \"mobility.freedoms\"\npaper = \"5\"\n"},
   };
   const auto own = keys.find(kind);

