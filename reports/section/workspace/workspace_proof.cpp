@@ -151,7 +151,8 @@ std::vector<document::Value> workspace_values(const Workspace& w, const mechanic
   for (std::size_t i = 0; i < w.scan.points.size(); ++i) {
     const Coordinate& c = machine.topology().coordinates[static_cast<std::size_t>(w.scan.points[i].input)];
     if (w.proof && i < w.proof->low.size() && w.proof->low[i].bounded()) {
-      put(c.name + "_low", c.unit, w.proof->low[i].middle()), put(c.name + "_high", c.unit, w.proof->high[i].middle());
+      // As far as poses are known to be within: the other end of a bracket may lie far out, where a box was left open.
+      put(c.name + "_low", c.unit, w.proof->low[i].high), put(c.name + "_high", c.unit, w.proof->high[i].low);
     } else if (w.grid && !w.grid->low.empty()) {
       put(c.name + "_low", c.unit, w.grid->low[i]), put(c.name + "_high", c.unit, w.grid->high[i]);
     }
