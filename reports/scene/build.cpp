@@ -64,6 +64,7 @@ void include(Bounds& bounds, const Machine& machine, const Pose& pose) {
   const Sizes sizes = measure(machine);
   for (const Solid& s : solids_of(machine, pose, sizes).solids) include(bounds, s);
   bounds.include(machine.origin(pose, machine.topology().platform), 0.27 * sizes.overall);  // its frame and arrows
+  for (int k = 0; k < 3; ++k) bounds.include(machine.origin(pose, 0) + 0.26 * sizes.overall * machine.rotation(pose, 0).col(k));
 }
 
 void include(Bounds& bounds, const Surface& surface) {

@@ -85,7 +85,7 @@ std::vector<std::size_t> margins_to_tell(const std::vector<const scan::Field*>& 
   std::iota(told.begin(), told.end(), std::size_t{0});
   std::erase_if(told, [&](std::size_t m) { return m == 0 || refused[m] == 0; });
   std::ranges::stable_sort(told, std::greater{}, [&](std::size_t m) { return refused[m]; });
-  if (told.size() > most_told + 1) told.resize(most_told);  // a single other one keeps its name
+  if (told.size() > most_told) told.resize(most_told);
   std::ranges::sort(told);
   return told;
 }

@@ -139,6 +139,21 @@ TEST_CASE("of many limits those that refuse most have fills of their own, the sa
   CHECK(*std::ranges::max_element(panel.map->values) == 11);
 }
 
+TEST_CASE("a limit is never filled as if it were accepted, however many there are") {
+  // As many limits as there are fills besides that of what is accepted: the last must not begin again with its fill.
+  std::vector<Margin> margins{[](double, double) { return 1.0; }};
+  std::vector<std::string> names{"reach"};
+  for (int k = 1; k <= 11; ++k) {
+    const double edge = -0.9 + 0.1 * k;
+    margins.push_back([edge](double x, double) { return x - edge; });
+    names.push_back("rho" + std::to_string(k) + "<");
+  }
+  const scan::Field field = sampled({{0, -1, 1, 41}, {1, 0, 1, 5}}, margins);
+  const figure::Panel panel = slice_panel(field, plane, named(names));
+  for (const double v : panel.map->values) CHECK((v >= 0 && v < 12));
+  CHECK(panel.map->classes.size() <= 12);
+}
+
 TEST_CASE("a slice as numbers has each point with what refuses it first") {
   const scan::Field field = sampled({{0, -1, 1, 3}, {1, 0, 0.5, 2}}, disc);
   const document::Data data = slice_data("slice", field, plane, disc_names);
