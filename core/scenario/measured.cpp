@@ -117,14 +117,15 @@ std::vector<Quantity> plain_quantities(const SectionKind& kind) {
   return kind.quantities(options.get());
 }
 
-// Those of all sections of the kind, as their keys make them; of one whose kind is not known the plain ones. Nothing: there is no such
-// section.
+// Those of all sections of the kind, as their keys make them; the plain ones where a section whose kind is not known may be the first of
+// them. Nothing: there is no such section.
 std::optional<std::vector<Quantity>> quantities_of(const SectionKind& kind, const std::vector<Section>& sections) {
   std::optional<std::vector<Quantity>> out;
   for (const Section& s : sections) {
-    if (s.kind != &kind && s.kind != nullptr) continue;
+    if (s.kind == nullptr && !out) return plain_quantities(kind);
+    if (s.kind != &kind) continue;
     if (!out) out.emplace();
-    for (Quantity& q : s.kind == nullptr ? plain_quantities(kind) : kind.quantities(s.options.get())) out->push_back(std::move(q));
+    for (Quantity& q : kind.quantities(s.options.get())) out->push_back(std::move(q));
   }
   return out;
 }
