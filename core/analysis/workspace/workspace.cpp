@@ -74,9 +74,9 @@ scan::PoseSet without_every(const scan::PoseSet& set, std::size_t every) {
 void demand_every(Workspace& w, const scan::Watch& watch) {
   scan::GridOptions options;
   options.reasons = false;
-  const scan::GridCounts others = scan::count_grid(without_every(w.set, w.margins.every), w.scan, options, watch);
+  w.by_other_limits = scan::count_grid(without_every(w.set, w.margins.every), w.scan, options, watch).accepted_at;
   for (std::size_t k = 0; k < w.grid->accepted_at.size(); ++k)
-    if (w.grid->accepted_at[k] < others.accepted_at[k]) w.grid->accepted_at[k] = 0;
+    if (w.grid->accepted_at[k] < w.by_other_limits[k]) w.grid->accepted_at[k] = 0;
 }
 
 void count_the_grid(Workspace& w, const mechanics::Machine& machine, const Progress& progress) {

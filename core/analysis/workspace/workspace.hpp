@@ -25,6 +25,8 @@ struct Workspace {
   bool home_inside = false;     // home, but for what `at` holds elsewhere, keeps every limit
   std::string home_refused_by;  // name of the first margin that it does not keep
   std::optional<scan::GridCounts> grid;
+  // Of each point of the grid, as many orientations as keep the limits that need not hold at every one; empty where there are no others.
+  std::vector<std::uint32_t> by_other_limits;
   std::optional<scan::Components> components;  // of the grid's points
   std::optional<scan::Sheet> sheet;
   std::optional<scan::ProvedVolume> proof;

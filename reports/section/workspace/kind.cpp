@@ -49,6 +49,9 @@ std::vector<scenario::Quantity> quantities(const scenario::Options* plain) {
   for (const std::uint64_t n : o.request.at_least) {
     const std::string text = std::to_string(n);
     add("volume_at_least_" + text, unit, "volume with at least " + text + " orientations");
+    if (asks(ScanMethod::grid) && std::ranges::any_of(o.request.limits.asked, &mechanics::AskedLimit::every))
+      add("volume_at_least_" + text + "_by_other_limits", unit,
+          "volume with at least " + text + " orientations, without the limits that must hold at every one");
     if (asks(ScanMethod::grid)) add("points_with_at_least_" + text, "", "points with at least " + text + " orientations", true);
   }
   for (std::size_t i = 0; i < o.scanned.size(); ++i) {

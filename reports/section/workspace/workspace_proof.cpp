@@ -113,9 +113,10 @@ std::vector<document::Value> workspace_values(const Workspace& w, const mechanic
   const auto number = [](std::uint64_t n) { return static_cast<double>(n); };
   const bool oriented = !w.scan.orientations.empty();
   const double cell = w.scan.cell();
-  const auto points_at_least = [&](std::uint64_t n) {
-    return number(static_cast<std::uint64_t>(std::ranges::count_if(w.grid->accepted_at, [&](std::uint32_t k) { return k >= n; })));
+  const auto points_of = [&](const std::vector<std::uint32_t>& accepted_at, std::uint64_t n) {
+    return number(static_cast<std::uint64_t>(std::ranges::count_if(accepted_at, [&](std::uint32_t k) { return k >= n; })));
   };
+  const auto points_at_least = [&](std::uint64_t n) { return points_of(w.grid->accepted_at, n); };
   double volume = std::nan("");
   for (const ScanMethod m : w.request.methods) {
     if (std::isfinite(volume)) break;
@@ -143,6 +144,8 @@ std::vector<document::Value> workspace_values(const Workspace& w, const mechanic
   for (std::size_t i = 0; i < w.request.at_least.size(); ++i) {
     const std::string n = std::to_string(w.request.at_least[i]);
     if (w.grid) put("points_with_at_least_" + n, "", points_at_least(w.request.at_least[i]));
+    if (!w.by_other_limits.empty())
+      put("volume_at_least_" + n + "_by_other_limits", w.unit, cell * points_of(w.by_other_limits, w.request.at_least[i]));
     put("volume_at_least_" + n, w.unit,
         i < w.proof_at_least.size() ? w.proof_at_least[i].volume.middle()
         : w.grid                    ? cell * points_at_least(w.request.at_least[i])
