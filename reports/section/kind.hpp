@@ -19,6 +19,7 @@ struct Result {
   std::vector<document::Data> data = {};     // data files, besides the one of its columns
   std::vector<document::File> files = {};    // files of other formats
   std::vector<document::Check> checks = {};  // gates of its own
+  std::vector<std::string> summary = {};     // what a hurried reader must know of it, a sentence each
 };
 
 // What a section is made of, besides what the scenario says of it.

@@ -110,12 +110,14 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
   std::vector<document::Section> overview = overview_section(a);
   std::map<const scenario::SectionKind*, int> made;  // of each kind
   std::vector<document::Check> gates;
+  std::vector<std::string> found;
   const auto make = [&](const scenario::Section& asked, int number) {
     Result result = kind_of(asked).make({a, stage, progress, r.values, number}, asked);
     for (document::Value& v : result.values) r.values.push_back(std::move(v));
     for (document::Data& d : result.data) r.data.push_back(std::move(d));
     for (document::File& f : result.files) r.files.push_back(std::move(f));
     for (document::Check& c : result.checks) gates.push_back(std::move(c));
+    for (std::string& sentence : result.summary) found.push_back(std::move(sentence));
     if (!asked.title.empty()) result.section.title = asked.title;
     return std::move(result.section);
   };
@@ -158,6 +160,7 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
     r.every_instant = every_instant_results(a, p);
   }
   r.summary = summary(a, p, unseen, r);
+  for (std::string& sentence : found) r.summary.push_back({Paragraph::Tone::plain, std::move(sentence)});
   return r;
 }
 

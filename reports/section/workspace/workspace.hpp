@@ -18,6 +18,7 @@ Result workspace_section(const Context& context, const WorkspaceOptions& options
 
 // Tables and sentences.
 std::vector<document::Paragraph> workspace_words(const Workspace& w, const mechanics::Machine& machine);
+std::string workspace_summary(const Workspace& w, const std::string& name);  // `name` of the section, or none
 document::Table workspace_volumes(const Workspace& w);
 document::Table workspace_reasons(const Workspace& w);  // of no rows where none were counted
 document::Table workspace_extent(const Workspace& w, const mechanics::Machine& machine);

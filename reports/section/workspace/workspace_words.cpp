@@ -143,6 +143,29 @@ std::vector<Paragraph> workspace_words(const Workspace& w, const mechanics::Mach
   return out;
 }
 
+std::string workspace_summary(const Workspace& w, const std::string& name) {
+  std::string out = name.empty() ? "Workspace: " : fmt::format("Workspace {}: ", name);
+  const double cell = w.scan.cell(), range = w.scan.range();
+  if (w.proof && w.scan.orientations.empty())
+    out += w.proof->empty ? "empty (proved)" : show_bracket(w.proof->volume, w.unit) + " (proved)";
+  else if (w.grid && w.scan.orientations.empty())
+    out += fmt::format("{} by a grid of {} poses", show_volume(cell * static_cast<double>(w.grid->tally.accepted), w.unit),
+                       count(w.grid->tally.poses));
+  else if (w.grid)
+    out += fmt::format("{} where at least {} of {} orientations are within, by a grid of {} poses",
+                       show_volume(cell * static_cast<double>(std::ranges::count_if(
+                                              w.grid->accepted_at, [&](std::uint32_t k) { return k >= w.request.at_least.front(); })),
+                                   w.unit),
+                       count(w.request.at_least.front()), count(w.scan.orientation_count()), count(w.grid->tally.poses));
+  else if (w.estimate)
+    out +=
+        fmt::format("{} with 95 % certainty, by random poses", show_bracket({range * w.estimate->low, range * w.estimate->high}, w.unit));
+  else
+    return {};
+  if (!w.home_inside) out += fmt::format("; home lies outside, for {} is broken", w.home_refused_by);
+  return out + ".";
+}
+
 Table workspace_volumes(const Workspace& w) {
   Table t{"Volume of the workspace",
           {"method", fmt::format("volume [{}]", typographic(w.unit)), "low", "high", "looked at"},
