@@ -1,4 +1,5 @@
 // What the bracket of a volume costs: gap against seconds and boxes. See README.md.
+#include <algorithm>
 #include <core/scan/proved_volume.hpp>
 #include <tests/bench/six_ups.hpp>
 
@@ -11,7 +12,7 @@
 using namespace pmreport;
 
 int main(int count, char** words) {
-  const std::size_t threads = count > 1 ? std::strtoul(words[1], nullptr, 10) : 1;
+  const std::size_t threads = std::max<std::size_t>(1, count > 1 ? std::strtoul(words[1], nullptr, 10) : 1);
   const double finest = count > 2 ? std::strtod(words[2], nullptr) : 1e-3;
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
   const scan::PoseSet set = bench::six_ups();
