@@ -45,13 +45,13 @@ class Prover {
     std::vector<OpenOrientation> open;
     for (std::uint32_t o = 0; o < margins_.orientations(); ++o) open.push_back({o, 0});
     open_.add(sides, {0, 0}, {}, open);
+    gone_.push_back(false);
   }
 
   ProvedVolume prove(const Scan& scan) {
     halve({0});  // along no axis yet: the whole range is examined
     while (go_on()) {
-      const std::vector<std::uint32_t> which = choose();
-      halve(which);
+      halve(choose());
     }
     conclude(scan);
     return std::move(out_);
@@ -64,7 +64,7 @@ class Prover {
   static double width(Bounds volume) { return volume.high - volume.low; }
 
   bool go_on() {
-    put_away([this](std::size_t k) { return open_.state(k).split == 0; });
+    if (put_away([this](std::size_t k) { return open_.state(k).split == 0 || !(open_.gap(k) > 0); })) keep(OpenBoxes(axes_));
     out_.volume = sum(sum(filled_, put_away_), sum(open_.volumes()));
     const double middle = out_.volume.middle(), allowed = options_.gap * middle;
     out_.enough = width(out_.volume) <= allowed;
@@ -120,22 +120,26 @@ class Prover {
       if (boxes[set] >= boxes_for_a_program) programs_.give_own(set);
   }
 
+  // Counts those for which `is_to_go` as done with; whether there are any. They stay in the list until `keep`.
   template <class F>
-  void put_away(F&& is_to_go) {
-    OpenBoxes kept(axes_);
-    std::vector<Bounds> gone;
+  bool put_away(F&& is_to_go) {
+    std::vector<Bounds> going;
     for (std::size_t k = 0; k < open_.size(); ++k) {
-      if (!is_to_go(k)) {
-        kept.add(open_, k);
-        continue;
-      }
-      gone.push_back(open_.volume(k));
+      if (gone_[k] || !is_to_go(k)) continue;
+      gone_[k] = true;
+      going.push_back(open_.volume(k));
       note(k);
     }
-    if (gone.empty()) return;
-    put_away_ = sum(put_away_, sum(gone));
-    put_away_count_ += gone.size();
-    open_ = std::move(kept);
+    put_away_ = sum(put_away_, sum(going));
+    put_away_count_ += going.size();
+    return !going.empty();
+  }
+  // Those that are not done with, behind others.
+  void keep(OpenBoxes first) {
+    for (std::size_t k = 0; k < open_.size(); ++k)
+      if (!gone_[k]) first.add(open_, k);
+    open_ = std::move(first);
+    gone_.assign(open_.size(), false);
   }
   // What an open box that is not looked at any more says of the ends.
   void note(std::size_t k) {
@@ -158,7 +162,7 @@ class Prover {
     }
     OpenBoxes parts(axes_);
     std::size_t chunk = 0;
-    for (; chunk + 1 < ends.size() && (chunk == 0 || !(out_of_time() || out_of_boxes()));) {
+    while (chunk + 1 < ends.size() && (chunk == 0 || !(out_of_time() || out_of_boxes()))) {
       watch_.stop_if_asked();
       const std::size_t count = std::min(chunks_a_wave, ends.size() - 1 - chunk);
       std::vector<std::unique_ptr<Refined>> wave(count);
@@ -170,11 +174,8 @@ class Prover {
       for (const auto& refined : wave) take(*refined, parts);
       chunk += count;
     }
-    std::vector<bool> halved(open_.size());
-    for (std::size_t i = 0; i < ends[chunk]; ++i) halved[which[i]] = true;
-    for (std::size_t k = 0; k < open_.size(); ++k)
-      if (!halved[k]) parts.add(open_, k);
-    open_ = std::move(parts);
+    for (std::size_t i = 0; i < ends[chunk]; ++i) gone_[which[i]] = true;
+    keep(std::move(parts));
   }
 
   void take(Refined& refined, OpenBoxes& parts) {
@@ -213,6 +214,7 @@ class Prover {
   MarginSets sets_;
   MarginPrograms programs_;
   OpenBoxes open_;
+  std::vector<bool> gone_;  // of each of them: it is done with
   std::vector<Ends> ends_;  // of boxes that are filled or put away
   Bounds filled_{0, 0}, put_away_{0, 0};
   std::uint64_t filled_count_ = 0, put_away_count_ = 0;  // boxes

@@ -30,7 +30,22 @@ std::size_t violations(const std::vector<Bounds>& sides, std::size_t poses, std:
   return found;
 }
 
-std::vector<double> centre_of(const Scan& scan) { return scan.at; }
+// Of a ball, most of them near its surface.
+std::size_t violations(const std::vector<double>& centre, const std::vector<double>& proportions, double radius, std::size_t poses,
+                       std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> any;
+  std::size_t found = 0;
+  std::vector<long double> x(centre.size());
+  for (std::size_t k = 0; k < poses; ++k) {
+    long double square = 0;
+    for (long double& c : x) c = any(random), square += c * c;
+    const long double r = radius * (k % 8 == 0 ? std::generate_canonical<double, 53>(random) : 1 - 1e-15L) / std::sqrt(square);
+    for (std::size_t a = 0; a < x.size(); ++a) x[a] = centre[a] + r * proportions[a] * x[a];
+    found += least_margin(x).first < -of_the_attack;
+  }
+  return found;
+}
 
 }  // namespace
 
@@ -39,7 +54,7 @@ TEST_CASE("No random pose of a safe box breaks a limit, and just beyond each sha
     CAPTURE(inputs);
     const Scan scan = leg_scan(inputs);
     const SafeOptions options{{}, 2e-3, 200'000};
-    const SafeBox box = safe_box(leg_set(inputs), scan, centre_of(scan), options);
+    const SafeBox box = safe_box(leg_set(inputs), scan, scan.at, options);
     CAPTURE(box.why, box.boxes);
     REQUIRE(box.found);
     CHECK(violations(box.sides, 20'000, 7) == 0);
@@ -98,8 +113,25 @@ TEST_CASE("A safe ball in a ball has the radius that is left") {
   CAPTURE(ball.why, ball.radius, ball.boxes);
   REQUIRE(ball.found);
   CHECK(ball.radius <= 0.7);
-  CHECK(ball.radius > 0.7 * (1 - 5e-3));
+  CHECK(ball.radius > 0.7 * (1 - 1e-3));
   CHECK(ball.margin == 1);
+  CHECK(ball.sharp);
+}
+
+TEST_CASE("No random pose of a safe ball breaks a limit, and a little beyond one does") {
+  for (const int inputs : {3, 4}) {
+    CAPTURE(inputs);
+    const Scan scan = leg_scan(inputs);
+    std::vector<double> proportions{0.4, 0.6, 0.5, 0.7};
+    proportions.resize(static_cast<std::size_t>(inputs));
+    const SafeBall ball = safe_ball(leg_set(inputs), scan, scan.at, {proportions, 2e-3, 200'000});
+    CAPTURE(ball.why, ball.radius, ball.boxes, ball.margin);
+    REQUIRE(ball.found);
+    CHECK(ball.sharp);
+    CHECK(ball.radius > 0);
+    CHECK(violations(scan.at, proportions, ball.radius, 20'000, 10) == 0);
+    CHECK(violations(scan.at, proportions, 1.04 * ball.radius, 20'000, 11) > 0);
+  }
 }
 
 TEST_CASE("About a pose outside the set nothing is grown, and the margin is told by its number") {

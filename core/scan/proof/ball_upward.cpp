@@ -1,7 +1,9 @@
-#include <core/scan/proof/containment.hpp>
+#include <core/scan/proof/ball.hpp>
 
 #include <core/program/interval.hpp>
 #include <core/program/rounding.hpp>
+
+#include <algorithm>
 
 namespace pmreport::scan {
 

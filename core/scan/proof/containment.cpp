@@ -1,7 +1,7 @@
 #include <core/scan/proof/containment.hpp>
 
 #include <algorithm>
-#include <numeric>
+#include <functional>
 
 namespace pmreport::scan {
 
@@ -21,6 +21,8 @@ Containment::Containment(const PoseSet& set, const Scan& scan, std::uint64_t mos
       sets_(margins_.margins()),
       programs_(margins_, sets_),
       examiner_(margins_, sets_, programs_),
+      examination_(margins_.margins()),
+      of_points_(margins_.margins()),
       uses_(1) {
   programs_.inherit(sets_.add_all(margins_.margins()), 0);
 }
@@ -51,13 +53,34 @@ std::optional<Containment::Piece> Containment::halve(Piece& piece, std::span<con
   return other;
 }
 
+// Of the poses of the ball where margins are likely to be least, one that is refused.
+std::optional<int> Containment::refuted_within(const Ball& ball, std::span<const Question> open) {
+  constexpr double within = 1 - 1e-9;  // and so surely of the ball
+  const std::size_t axes = margins_.axes().size();
+  std::vector<Bounds> points;
+  std::vector<Question> questions;
+  for (Question question : open) {
+    std::vector<Bounds> point;
+    for (std::size_t q = 0; q < axes; ++q)
+      point.push_back(Bounds::exactly(ball.centre[q] + within * (examination_.lowest[question.box * axes + q] - ball.centre[q])));
+    if (!relation(ball, point).middle_in) continue;
+    question.box = static_cast<std::uint32_t>(questions.size());
+    questions.push_back(question);
+    points.insert(points.end(), point.begin(), point.end());
+  }
+  examiner_.examine(points, questions, of_points_);
+  for (const Verdict& verdict : of_points_.verdicts)
+    if (verdict.kind == Verdict::Kind::outside) return verdict.margin;
+  return {};
+}
+
 // Depth first, the pieces on top of the stack that are most nearly outside: an answer "outside" is found soon, and few pieces wait.
 Containment::Answer Containment::ask(std::span<const Bounds> sides, const std::optional<Ball>& ball) {
   using Kind = Answer::Kind;
   const std::size_t axes = margins_.axes().size();
   std::vector<Piece> stack;
   for (std::uint32_t o = 0; o < margins_.orientations(); ++o) stack.push_back({{0, o, 0}, {sides.begin(), sides.end()}});
-  Examination examination(margins_.margins());
+  Examination& examination = examination_;
   std::uint64_t looked_at = 0;
   while (!stack.empty()) {
     watch_.stop_if_asked();
@@ -76,17 +99,21 @@ Containment::Answer Containment::ask(std::span<const Bounds> sides, const std::o
       relations.push_back(r);
       pieces.push_back(std::move(piece));
     }
-    examiner_.examine(boxes, questions, examination);
+    examiner_.examine(boxes, questions, examination, ball ? &*ball : nullptr);
     boxes_ += pieces.size(), looked_at += pieces.size();
 
     std::vector<std::size_t> open;
+    std::vector<Question> open_questions;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       const Verdict& verdict = examination.verdicts[k];
       if (verdict.kind == Verdict::Kind::inside) continue;
       if (verdict.middle >= 0 && relations[k].middle_in) return {Kind::outside, margins_.part_of(verdict.middle)};
       if (verdict.kind == Verdict::Kind::outside && relations[k].nearest_in) return {Kind::outside, margins_.part_of(verdict.margin)};
       open.push_back(k);
+      if (verdict.kind == Verdict::Kind::open) open_questions.push_back(questions[k]);
     }
+    if (ball)
+      if (const std::optional<int> margin = refuted_within(*ball, open_questions)) return {Kind::outside, margins_.part_of(*margin)};
     std::ranges::stable_sort(open, std::greater<>(), [&](std::size_t k) { return examination.verdicts[k].depth; });
     if (!open.empty() && looked_at >= most_boxes_) return {Kind::open, margins_.part_of(examination.verdicts[open.back()].margin)};
     for (const std::size_t k : open) {

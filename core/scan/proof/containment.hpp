@@ -1,6 +1,7 @@
 // Whether all poses of a box, or of what of it lies in a ball, belong to a set: branch and bound.
 #pragma once
 
+#include <core/scan/proof/ball.hpp>
 #include <core/scan/proof/examiner.hpp>
 
 #include <optional>
@@ -8,20 +9,6 @@
 #include <vector>
 
 namespace pmreport::scan {
-
-// sum over the free axes of ((x - centre) / proportion)^2 <= radius^2
-struct Ball {
-  std::vector<double> centre, proportions;  // of each free axis
-  double radius = 0;
-};
-
-// What a box has to do with a ball, rounded so that it is certain.
-struct BallAndBox {
-  bool apart = false;       // no pose of the box lies in the ball
-  bool middle_in = false;   // the middle does
-  bool nearest_in = false;  // the pose of the box that is nearest to the centre does
-};
-BallAndBox relation(const Ball& ball, std::span<const program::Bounds> sides);
 
 class Containment {
  public:
@@ -45,6 +32,7 @@ class Containment {
   };
   std::uint32_t number_of(std::span<const std::uint64_t> set, std::uint32_t from);
   std::optional<Piece> halve(Piece& piece, std::span<const double> blame) const;
+  std::optional<int> refuted_within(const Ball& ball, std::span<const Question> open);
 
   const Watch& watch_;
   std::uint64_t most_boxes_, boxes_ = 0;
@@ -52,6 +40,7 @@ class Containment {
   MarginSets sets_;
   MarginPrograms programs_;
   Examiner examiner_;
+  Examination examination_, of_points_;
   std::vector<std::size_t> uses_;  // of each set
 };
 

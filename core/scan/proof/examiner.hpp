@@ -2,6 +2,7 @@
 #pragma once
 
 #include <core/program/boxes.hpp>
+#include <core/scan/proof/ball.hpp>
 #include <core/scan/proof/boxed_margins.hpp>
 #include <core/scan/proof/margin_sets.hpp>
 
@@ -26,8 +27,9 @@ struct Verdict {
   bool blind = false;        // open: a margin that is left has no bounds
   double low = 0, high = 1;  // the share of the box that belongs to the set lies between
   int margin = -1;           // that is negative all over; open: that is nearest to it
-  double depth = 0;          // of that margin: its middle value over how far it may be from it, -1: nearly negative all over
-  int middle = -1;           // a margin that is negative at the middle of the box, if there is one
+  double depth = 0;  // of that margin: its middle value over how far it may be from it, -1: nearly negative all over; with a ball its
+                     // least value in the ball over how far it falls from the centre
+  int middle = -1;   // a margin that is negative at the middle of the box, if there is one
 };
 
 struct Examination {
@@ -35,6 +37,8 @@ struct Examination {
   std::vector<Verdict> verdicts;  // one a question
   // One a question and axis: how much of what is open is owed to the width along it, comparable within a box.
   std::vector<double> blame;
+  // With a ball, one a question and axis: the pose of the ball where the margin that is nearest to negative is likely to be least.
+  std::vector<double> lowest;
   MarginSets sets;
 };
 
@@ -44,8 +48,9 @@ class Examiner {
   Examiner(const BoxedMargins& margins, const MarginSets& sets, const MarginPrograms& programs);
   ~Examiner();
 
-  // The answers do not depend on how questions are put together.
-  void examine(std::span<const program::Bounds> boxes, std::span<const Question> questions, Examination& out);
+  // The answers do not depend on how questions are put together. With `ball` a margin holds where it does at the poses of the box that lie
+  // in it, and "inside" says no more; shares are of the whole box.
+  void examine(std::span<const program::Bounds> boxes, std::span<const Question> questions, Examination& out, const Ball* ball = nullptr);
 
  private:
   struct Runner;

@@ -36,16 +36,43 @@ struct Centred {
   Interval value = Interval::unbounded();  // over the box
   bool linear = false;                     // (1) is known
   Interval centre{0.0};                    // c
-  double spread = 0, weight = 0;           // of all axes, weight = sum of |w_q|
-  std::array<double, most_axes> w{}, spread_along{};
+  double spread = 0;                       // of all axes
+  std::array<double, most_axes> w{};
+  double low = 0, high = 0;      // g >= 0 on no less than low + w.u >= 0, no more than high + w.u >= 0; where `value` is bounded
+  double middle = 0, scale = 0;  // of g, and how far it may be from it
+  std::array<double, most_axes> spread_along{};  // what of low to high is owed to the width along an axis, over two
 };
+
+// (2). What g varies by beyond what is owed to axes with bounds is owed to the others. Sums of magnitudes are negative, and so no greater
+// than they are.
+void bound_by_slopes(Centred& g, const Bounds* partials, std::size_t stride, std::span<const Side> sides) {
+  g.w.fill(0), g.spread_along.fill(0);
+  double minus_weight = 0, owed = 0, others = 0;
+  for (std::size_t q = 0; q < sides.size(); ++q) {
+    const Interval rise = Interval(partials[q * stride]) * sides[q].half;
+    if (!rise.bounded()) {
+      ++others;
+      continue;
+    }
+    g.w[q] = 0 < rise.low() ? rise.low() : std::min(rise.high, 0.0);
+    minus_weight -= std::abs(g.w[q]);
+    g.spread_along[q] = rise.magnitude() - std::abs(g.w[q]);
+    owed += rise.magnitude();
+  }
+  g.low = -(g.value.negative_low + minus_weight);
+  g.high = g.value.high + minus_weight;
+  g.middle = g.value.middle();
+  g.scale = 0.5 * g.value.width();
+  for (std::size_t q = 0; q < sides.size(); ++q)
+    if (!partials[q * stride].bounded()) g.spread_along[q] = std::max(0.0, g.scale - owed) / others;
+}
 
 Centred centred(const Bounds* natural, const Bounds* middle, const Bounds* partials, std::size_t stride, std::span<const Side> sides) {
   Centred g;
   g.value = Interval(*natural);
   g.centre = Interval(*middle);
   g.linear = g.centre.bounded();
-  double reach = 0;
+  double reach = 0, weight = 0;
   for (std::size_t q = 0; q < sides.size() && g.linear; ++q) {
     const Interval slope(partials[q * stride]), rise = slope * sides[q].half;
     g.centre += slope * sides[q].offset;
@@ -54,11 +81,47 @@ Centred centred(const Bounds* natural, const Bounds* middle, const Bounds* parti
     g.w[q] = rise.middle();
     g.spread_along[q] = (rise - g.w[q]).magnitude();
     g.spread += g.spread_along[q];
-    g.weight += std::abs(g.w[q]);
+    weight += std::abs(g.w[q]);
     reach += rise.magnitude();
   }
-  if (g.linear) g.value = common(g.value, g.centre + Interval(-reach, reach));
+  if (g.linear) {
+    g.value = common(g.value, g.centre + Interval(-reach, reach));
+    g.low = -(g.centre.negative_low + g.spread);
+    g.high = g.centre.high + g.spread;
+    g.middle = g.centre.middle();
+    g.scale = weight + g.spread;
+  } else if (g.value.bounded()) {
+    bound_by_slopes(g, partials, stride, sides);
+  }
   return g;
+}
+
+// The least that (1) lets the margin be within a ball about z with half axes R p, x = z + R p t, |t| <= 1: that of a linear function,
+//     c + sum of (w_q / half_q) (z_q - m_q - offset_q) - R |(w_q p_q / half_q)| - spread.
+// Where it has that least is likely to be where the margin has its own.
+struct Within {
+  double least = -std::numeric_limits<double>::infinity();
+  double depth = -1;  // the linear function's least, over what it changes by along the radius
+  std::array<double, most_axes> lowest{};
+};
+Within within(const Centred& g, std::span<const Side> sides, std::span<const double> middles, const Ball& ball) {
+  Within out;
+  std::array<double, most_axes> slopes{};
+  Interval at_centre = g.centre, square_of_slope(0.0);
+  for (std::size_t q = 0; q < sides.size(); ++q) {
+    out.lowest[q] = ball.centre[q];
+    if (g.w[q] == 0) continue;
+    const Interval slope = Interval(g.w[q]) / sides[q].half;
+    at_centre += slope * (Interval(ball.centre[q]) - middles[q] - sides[q].offset);
+    square_of_slope += square(slope * ball.proportions[q]);
+    slopes[q] = slope.middle() * ball.proportions[q];
+  }
+  const Interval fall = Interval(ball.radius) * sqrt(square_of_slope), least = at_centre - fall;
+  if (!least.bounded() || !(fall.high > 0)) return out;
+  out.least = -(least.negative_low + g.spread);
+  out.depth = least.middle() / fall.high;
+  for (std::size_t q = 0; q < sides.size(); ++q) out.lowest[q] -= ball.radius * ball.proportions[q] * slopes[q] * ball.radius / fall.high;
+  return out;
 }
 
 }  // namespace
@@ -83,6 +146,7 @@ struct Examiner::Batch {
   std::span<const Question> questions;     // all
   std::span<const std::uint32_t> numbers;  // of those of the batch
   Examination* out;
+  const Ball* ball;
 };
 
 Examiner::Examiner(const BoxedMargins& margins, const MarginSets& sets, const MarginPrograms& programs)
@@ -96,16 +160,17 @@ Examiner::Runner& Examiner::runner(std::uint32_t number) {
   return *runners_.emplace(number, std::move(made)).first->second;
 }
 
-void Examiner::examine(std::span<const Bounds> boxes, std::span<const Question> questions, Examination& out) {
+void Examiner::examine(std::span<const Bounds> boxes, std::span<const Question> questions, Examination& out, const Ball* ball) {
   out.verdicts.assign(questions.size(), {});
   out.blame.assign(questions.size() * margins_.axes().size(), 0);
+  out.lowest.assign(ball != nullptr ? out.blame.size() : 0, 0);
   order_.resize(questions.size());
   for (std::uint32_t i = 0; i < order_.size(); ++i) order_[i] = i;
   const auto number = [&](std::uint32_t i) { return programs_.number(questions[i].set); };
   std::ranges::stable_sort(order_, {}, number);
   for (std::size_t from = 0, to = 0; from < order_.size(); from = to) {
     while (to < order_.size() && to - from < most_boxes && number(order_[to]) == number(order_[from])) ++to;
-    examine_batch({boxes, questions, std::span(order_).subspan(from, to - from), &out}, runner(number(order_[from])));
+    examine_batch({boxes, questions, std::span(order_).subspan(from, to - from), &out, ball}, runner(number(order_[from])));
   }
 }
 
@@ -136,14 +201,15 @@ void Examiner::weigh(const Batch& batch, const Runner& runner) {
   const std::vector<std::uint32_t>& margins = runner.program->margins;
   std::vector<std::uint64_t> left(words);
   std::array<Side, most_axes> sides{};
-  std::array<double, most_axes> spreads{}, weights{};
+  std::array<double, most_axes> spreads{}, weights{}, middles{};
   for (std::size_t k = 0; k < count; ++k) {
     const Question& question = batch.questions[batch.numbers[k]];
     const std::span<const std::uint64_t> asked = sets_.bits(question.set);
     Verdict& verdict = batch.out->verdicts[batch.numbers[k]];
-    for (std::size_t q = 0; q < axes; ++q)
-      sides[q] =
-          side(batch.boxes[question.box * axes + q], runner.in_middle[static_cast<std::size_t>(margins_.axes()[q].input) * count + k].low);
+    for (std::size_t q = 0; q < axes; ++q) {
+      middles[q] = runner.in_middle[static_cast<std::size_t>(margins_.axes()[q].input) * count + k].low;
+      sides[q] = side(batch.boxes[question.box * axes + q], middles[q]);
+    }
     std::ranges::fill(left, 0);
     spreads.fill(0), weights.fill(0);
     std::size_t open = 0;
@@ -161,29 +227,34 @@ void Examiner::weigh(const Batch& batch, const Runner& runner) {
         break;
       }
       if (g.value.bounded() && 0 <= g.value.low()) continue;
+      Within ball;
+      if (batch.ball != nullptr && g.linear) ball = within(g, {sides.data(), axes}, {middles.data(), axes}, *batch.ball);
+      if (0 <= ball.least) continue;
       ++open;
       left[m / 64] |= std::uint64_t{1} << m % 64;
       if (verdict.middle < 0 && at_middle->bounded() && at_middle->high < 0) verdict.middle = static_cast<int>(m);
       double depth = -1;
-      if (g.linear) {
-        const double low = -(g.centre.negative_low + g.spread), high = g.centre.high + g.spread, scale = g.weight + g.spread;
-        const Bounds share = half_space_share_upward({low, high}, {g.w.data(), axes});
+      if (g.value.bounded()) {
+        const Bounds share = half_space_share_upward({g.low, g.high}, {g.w.data(), axes});
         missing += 1 - share.low;
         verdict.high = std::min(verdict.high, share.high);
-        if (scale > 0) depth = g.centre.middle() / scale;
-        for (std::size_t q = 0; q < axes && scale > 0; ++q) {
-          spreads[q] += g.spread_along[q] / scale;
-          weights[q] += std::abs(g.w[q]) / scale;
+        if (g.scale > 0) depth = g.middle / g.scale;
+        for (std::size_t q = 0; q < axes && g.scale > 0; ++q) {
+          spreads[q] += g.spread_along[q] / g.scale;
+          weights[q] += std::abs(g.w[q]) / g.scale;
         }
       } else {
         missing += 1;
         verdict.blind = true;
-        for (std::size_t q = 0; q < axes; ++q) {
-          const Bounds range = margins_.axes()[q].range, x = batch.boxes[question.box * axes + q];
-          spreads[q] += x.width() / range.width();
-        }
+        for (std::size_t q = 0; q < axes; ++q)
+          spreads[q] += batch.boxes[question.box * axes + q].width() / margins_.axes()[q].range.width();
       }
-      if (depth < verdict.depth) verdict.depth = depth, verdict.margin = static_cast<int>(m);
+      if (batch.ball != nullptr) depth = ball.depth;
+      if (depth < verdict.depth) {
+        verdict.depth = depth, verdict.margin = static_cast<int>(m);
+        if (batch.ball != nullptr)
+          std::copy_n(ball.lowest.begin(), axes, batch.out->lowest.begin() + static_cast<std::ptrdiff_t>(batch.numbers[k] * axes));
+      }
     }
     if (verdict.kind == Verdict::Kind::outside) continue;
     if (open == 0) {

@@ -29,9 +29,7 @@ class OpenBoxes {
   // `volume`: bounds of the volume that belongs to the set.
   void add(std::span<const program::Bounds> sides, program::Bounds volume, BoxState state, std::span<const OpenOrientation> open);
   void add(const OpenBoxes& from, std::size_t k) { add(from.sides(k), from.volume(k), from.state(k), from.open(k)); }
-  void append(const OpenBoxes& more) {
-    for (std::size_t k = 0; k < more.size(); ++k) add(more, k);
-  }
+  void append(const OpenBoxes& more);
   void renumber(std::span<const std::uint32_t> sets);  // the new numbers of the sets
 
   std::size_t size() const { return volume_.size(); }
@@ -61,6 +59,16 @@ inline void OpenBoxes::add(std::span<const program::Bounds> sides, program::Boun
   state_.push_back(state);
   open_.insert(open_.end(), open.begin(), open.end());
   end_.push_back(open_.size());
+}
+
+inline void OpenBoxes::append(const OpenBoxes& more) {
+  const std::size_t before = open_.size(), boxes = size();
+  sides_.insert(sides_.end(), more.sides_.begin(), more.sides_.end());
+  volume_.insert(volume_.end(), more.volume_.begin(), more.volume_.end());
+  state_.insert(state_.end(), more.state_.begin(), more.state_.end());
+  open_.insert(open_.end(), more.open_.begin(), more.open_.end());
+  end_.insert(end_.end(), more.end_.begin(), more.end_.end());
+  for (std::size_t k = boxes; k < end_.size(); ++k) end_[k] += before;
 }
 
 inline void OpenBoxes::renumber(std::span<const std::uint32_t> sets) {
