@@ -1,6 +1,7 @@
 #include <core/analysis/columns.hpp>
 #include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/joint_words.hpp>
+#include <core/mechanics/workspace/limb_line.hpp>
 
 #include <fmt/core.h>
 
@@ -69,12 +70,6 @@ bool transmits(JointKind kind, int c) {
       return c != 0 && c != 3;
   }
   return false;
-}
-
-int limbs_of(const Topology& t) {
-  int out = 0;
-  for (const Body& b : t.bodies) out = std::max(out, b.limb);
-  return out;
 }
 
 std::vector<Column> displacement_columns(const Topology& t) {
@@ -163,7 +158,7 @@ std::vector<Column> reaction_columns(const Topology& t) {
                        fmt::format("{} in joint {}, {} {}", c < 3 ? "force" : "moment", j.name, base ? "base axis" : "joint axis",
                                    base ? "xyz"[c % 3] : "123"[c % 3])});
       }
-  for (int limb = 1; limb <= limbs_of(t); ++limb)
+  for (int limb = 1; limb <= mechanics::limbs_of(t); ++limb)
     for (int c = 0; c < 6; ++c)
       out.push_back(
           {limb_column(limb, c).name(), c < 3 ? "N" : "N*m", "limb_wrench",

@@ -20,6 +20,5 @@ std::vector<Column> reaction_columns(const Topology& t);      // the wrench in e
 
 // Whether a joint of a kind transmits component c of a wrench in joint axes (joint_frame.hpp): 0-2 force, 3-5 moment about its centre.
 bool transmits(JointKind kind, int c);
-int limbs_of(const Topology& t);  // the largest number of a limb
 
 }  // namespace pmreport::analysis

@@ -1,7 +1,7 @@
 // What a study varies, what it wants, and how one variant is judged.
 #pragma once
 
-#include <core/analysis/design/bracketed.hpp>
+#include <core/analysis/bracketed.hpp>
 #include <core/analysis/progress.hpp>
 
 #include <cstddef>

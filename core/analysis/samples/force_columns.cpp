@@ -1,6 +1,7 @@
 #include <core/analysis/samples/force_columns.hpp>
 
 #include <core/analysis/columns.hpp>
+#include <core/mechanics/workspace/limb_line.hpp>
 
 namespace pmreport::analysis {
 
@@ -25,7 +26,7 @@ ForceColumns::ForceColumns(const Topology& t, const std::function<double*(const 
     }
     joints.push_back(columns);
   }
-  for (int limb = 1; limb <= limbs_of(t); ++limb) {
+  for (int limb = 1; limb <= mechanics::limbs_of(t); ++limb) {
     std::array<double*, 6> columns{};
     for (std::size_t c = 0; c < 6; ++c) columns[c] = find(limb_column(limb, static_cast<int>(c)));
     limbs.push_back(columns);

@@ -1,9 +1,8 @@
 #include <core/mechanics/workspace/late_limits.hpp>
 
-#include <core/linear/singular_values.hpp>
 #include <core/linear/square.hpp>
 #include <core/mechanics/model/generic_model.hpp>
-#include <core/mechanics/model/overall_jacobian.hpp>
+#include <core/mechanics/singularity/singularity.hpp>
 #include <core/mechanics/workspace/limb_line.hpp>
 #include <core/program/batch.hpp>
 #include <core/program/derivative.hpp>
@@ -200,10 +199,7 @@ std::size_t LateLimits::Work::pressures(std::size_t count, const double* poses, 
 
 double LateLimits::Work::index(const Asked& a, const Matrix6d& g) const {
   if (!g.allFinite()) return std::nan("");
-  if (a.of == Asked::Of::condition) {
-    const linear::Vector6d s = linear::singular_values(dimensionless(machine, g, length));
-    return s(0) / s(5);
-  }
+  if (a.of == Asked::Of::condition) return conditioning(machine, g, length).condition();
   const Matrix6d moved = linear::inverse_of_jacobian(g);
   const auto actuated = moved.leftCols(static_cast<Eigen::Index>(machine.topology().actuators.size())).topRows<3>();
   return largest_singular_value(actuated * actuated.transpose() / a.drive_stiffness, a.horizontal);

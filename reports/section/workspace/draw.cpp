@@ -135,12 +135,12 @@ class Drawing {
     }
     figure.caption =
         "Slices through the workspace: accepted poses, and refused ones by the first limit that refuses them; the lines are the limits "
-        "that bound "
-        "what is accepted.";
+        "that bound what is accepted.";
     if (!w_.scan.orientations.empty()) figure.caption += " At the orientation of home alone.";
-    map.caption = options_.map == "condition"
-                      ? "The condition number of the overall Jacobian, moments over the characteristic length, where poses are accepted."
-                      : "The determinant of the overall Jacobian where poses are accepted.";
+    map.caption =
+        options_.map == "condition"
+            ? "The condition number of the overall Jacobian, moments over the characteristic length, where poses are accepted."
+            : "The determinant of the overall Jacobian, made dimensionless by the characteristic length, where poses are accepted.";
     out_.blocks.emplace_back(std::move(figure));
     if (!map.panels.empty()) out_.blocks.emplace_back(std::move(map));
     if (w_.grid && !w_.scan.orientations.empty() && w_.scan.points.size() == 2) {
@@ -153,9 +153,8 @@ class Drawing {
   }
 
   void surface() {
-    const bool lengths = std::ranges::all_of(w_.scan.points, [&](const scan::Axis& a) {
-      return machine_.topology().coordinates[static_cast<std::size_t>(a.input)].sense() == Sense::linear;
-    });
+    // A surface over other coordinates has no place beside the mechanism.
+    const bool in_space = coordinate(0).name == "x" && coordinate(1).name == "y" && coordinate(2).name == "z";
     scene::Surface surface;
     if (w_.scan.orientations.empty()) {
       // Once over the whole range, and once more closely where the first look found anything.
@@ -175,8 +174,7 @@ class Drawing {
       out_.files.push_back({"data/" + id_ + ".stl", "boundary of the workspace as a surface, binary STL [m]", to_stl(surface, id_)});
       out_.files.push_back({"data/" + id_ + ".ply", "the same as PLY [m]", to_ply(surface, id_)});
     }
-    if (!options_.pictures || !lengths) return;
-    // The base axes are those of the coordinates only where these are the platform's reference point.
+    if (!options_.pictures || !in_space) return;
     scene::Bounds bounds;
     scene::include(bounds, machine_, machine_.home_pose());
     scene::include(bounds, surface);

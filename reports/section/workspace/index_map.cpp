@@ -1,10 +1,7 @@
 #include <reports/section/workspace/index_map.hpp>
 
-#include <core/linear/singular_values.hpp>
 #include <core/mechanics/model/generic_model.hpp>
-#include <core/mechanics/model/overall_jacobian.hpp>
-
-#include <Eigen/LU>
+#include <core/mechanics/singularity/singularity.hpp>
 
 #include <tbb/parallel_for.h>
 
@@ -28,12 +25,8 @@ std::vector<double> index_over(const mechanics::Machine& machine, const scan::Fi
     if (pose.status != PM_OK) return;
     const mechanics::Jacobian g = machine.jacobian(pose);
     if (!g.known()) return;
-    if (index == "determinant") {
-      out[k] = g.matrix.determinant();
-      return;
-    }
-    const linear::Vector6d s = linear::singular_values(mechanics::dimensionless(machine, g.matrix, length));
-    out[k] = s(0) / s(5);
+    const mechanics::Conditioning c = mechanics::conditioning(machine, g.matrix, length);
+    out[k] = index == "determinant" ? c.determinant : c.condition();
   });
   return out;
 }

@@ -251,6 +251,8 @@ void complete_workspace(scenario::TableReader& table, const Reading& r, scenario
       request.at(range.coordinate) = range.from;
     }
   std::erase_if(request.scan, [](const ScanRange& range) { return range.from == range.to; });
+  // In the order of the coordinates, whatever that of the keys: pictures, files and other scenarios take the axes as they come.
+  std::ranges::sort(request.scan, {}, &ScanRange::coordinate);
   if (request.scan.empty() && scan != nullptr && scan->value.kind == Value::Kind::table && !scan->value.entries.empty() &&
       diagnostics.empty())
     diagnostics.add(scan->value.place, "expected a range of at least one coordinate, and all are held at one value");

@@ -1,6 +1,7 @@
 // Evidence and numbers of a workspace.
 #include <reports/section/workspace/workspace.hpp>
 
+#include <core/analysis/workspace/answers.hpp>
 #include <core/analysis/workspace/by_definition.hpp>
 #include <core/text/text.hpp>
 #include <reports/section/common/words.hpp>
@@ -20,28 +21,6 @@ namespace {
 
 constexpr int compared_poses = 2000;
 
-// Accepted points of a grid with a refused neighbour, and refused ones with an accepted neighbour: where the boundary runs.
-std::uint64_t rim_points(const Workspace& w) {
-  const std::vector<std::uint32_t>& at = w.grid->accepted_at;
-  std::vector<std::size_t> strides(w.scan.points.size());
-  std::size_t stride = 1;
-  for (std::size_t a = w.scan.points.size(); a-- > 0;) strides[a] = stride, stride *= w.scan.points[a].count;
-  std::uint64_t out = 0;
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    bool rim = false;
-    for (std::size_t a = 0; a < strides.size() && !rim; ++a) {
-      const std::size_t k = i / strides[a] % w.scan.points[a].count;
-      const bool inside = at[i] > 0;
-      if (k > 0) rim = rim || (at[i - strides[a]] > 0) != inside;
-      if (k + 1 < w.scan.points[a].count) rim = rim || (at[i + strides[a]] > 0) != inside;
-      // At the rim of the grid a cell sticks out of the range by half.
-      if (inside && (k == 0 || k + 1 == w.scan.points[a].count)) rim = true;
-    }
-    out += rim ? 1 : 0;
-  }
-  return out;
-}
-
 Evidence outcome(bool passed, std::string claim, std::string how, std::string reason) {
   return Evidence::without_value(passed ? Verdict::passed : Verdict::failed, std::move(claim), std::move(how), std::move(reason));
 }
@@ -56,9 +35,15 @@ void add_comparisons(const Workspace& w, std::vector<Evidence>& out) {
                           fmt::format("{}; {}", show_bracket(interval, w.unit), show_bracket(w.proof->volume, w.unit))));
   }
   if (!w.grid) return;
-  const double cell = w.scan.cell(), measure = cell * static_cast<double>(w.grid->tally.accepted);
-  const double slack = cell * static_cast<double>(rim_points(w));
+  // The boundary runs through accepted cells that have a refused neighbour, and through as many refused ones.
+  const std::uint64_t rim = analysis::rim_of(w, 1);
+  const double cell = w.scan.cell(), measure = cell * static_cast<double>(w.grid->tally.accepted),
+               slack = 2 * cell * static_cast<double>(rim);
   const auto hold = [&](const program::Bounds& b, const char* claim, const char* how) {
+    if (rim == w.grid->tally.accepted && b.high > 0) {
+      out.push_back(Evidence::without_value(Verdict::not_decided, claim, how, "no cell of the grid lies inside: it is too coarse to tell"));
+      return;
+    }
     out.push_back(outcome(measure - slack <= b.high && b.low <= measure + slack, claim, how,
                           fmt::format("{} with cells of {} at the boundary; {}", show_volume(measure, w.unit),
                                       show_volume(slack, w.unit, 3), show_bracket(b, w.unit))));
@@ -111,21 +96,10 @@ std::vector<document::Value> workspace_values(const Workspace& w, const mechanic
   const std::string prefix = options.name.empty() ? "" : options.name + ".";
   const auto put = [&](const std::string& own, const std::string& unit, double x) { out.push_back({"workspace", prefix + own, unit, x}); };
   const auto number = [](std::uint64_t n) { return static_cast<double>(n); };
-  const bool oriented = !w.scan.orientations.empty();
   const double cell = w.scan.cell();
-  const auto points_of = [&](const std::vector<std::uint32_t>& accepted_at, std::uint64_t n) {
-    return number(static_cast<std::uint64_t>(std::ranges::count_if(accepted_at, [&](std::uint32_t k) { return k >= n; })));
-  };
-  const auto points_at_least = [&](std::uint64_t n) { return points_of(w.grid->accepted_at, n); };
-  double volume = std::nan("");
-  for (const ScanMethod m : w.request.methods) {
-    if (std::isfinite(volume)) break;
-    if (m == ScanMethod::proof && w.proof) volume = w.proof->volume.middle();
-    if (m == ScanMethod::grid && w.grid)
-      volume = oriented ? cell * points_at_least(w.request.at_least.front()) : cell * number(w.grid->tally.accepted);
-    if (m == ScanMethod::monte_carlo && w.estimate) volume = w.scan.range() * w.estimate->share;
-  }
-  put("volume", w.unit, volume);
+  const auto points_at_least = [&](std::uint64_t n) { return number(analysis::points_with(w.grid->accepted_at, n)); };
+  const analysis::WorkspaceAnswers answers(w);
+  put("volume", w.unit, answers.volume().value);
   if (w.proof)
     put("volume_low", w.unit, w.proof->volume.low), put("volume_high", w.unit, w.proof->volume.high);
   else if (w.estimate)
@@ -145,7 +119,8 @@ std::vector<document::Value> workspace_values(const Workspace& w, const mechanic
     const std::string n = std::to_string(w.request.at_least[i]);
     if (w.grid) put("points_with_at_least_" + n, "", points_at_least(w.request.at_least[i]));
     if (!w.by_other_limits.empty())
-      put("volume_at_least_" + n + "_by_other_limits", w.unit, cell * points_of(w.by_other_limits, w.request.at_least[i]));
+      put("volume_at_least_" + n + "_by_other_limits", w.unit,
+          cell * number(analysis::points_with(w.by_other_limits, w.request.at_least[i])));
     put("volume_at_least_" + n, w.unit,
         i < w.proof_at_least.size() ? w.proof_at_least[i].volume.middle()
         : w.grid                    ? cell * points_at_least(w.request.at_least[i])
@@ -153,12 +128,8 @@ std::vector<document::Value> workspace_values(const Workspace& w, const mechanic
   }
   for (std::size_t i = 0; i < w.scan.points.size(); ++i) {
     const Coordinate& c = machine.topology().coordinates[static_cast<std::size_t>(w.scan.points[i].input)];
-    if (w.proof && i < w.proof->low.size() && w.proof->low[i].bounded()) {
-      // As far as poses are known to be within: the other end of a bracket may lie far out, where a box was left open.
-      put(c.name + "_low", c.unit, w.proof->low[i].high), put(c.name + "_high", c.unit, w.proof->high[i].low);
-    } else if (w.grid && !w.grid->low.empty()) {
-      put(c.name + "_low", c.unit, w.grid->low[i]), put(c.name + "_high", c.unit, w.grid->high[i]);
-    }
+    const analysis::Bracketed low = answers.end(i, false), high = answers.end(i, true);
+    if (low.known()) put(c.name + "_low", c.unit, low.value), put(c.name + "_high", c.unit, high.value);
   }
   if (w.safe_box && w.safe_box->found)
     for (std::size_t i = 0; i < w.safe_axes.size(); ++i) {

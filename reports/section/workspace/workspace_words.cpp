@@ -1,6 +1,7 @@
 // Sentences and tables of a workspace.
 #include <reports/section/workspace/workspace.hpp>
 
+#include <core/analysis/workspace/answers.hpp>
 #include <core/text/text.hpp>
 #include <reports/section/common/words.hpp>
 
@@ -73,11 +74,6 @@ std::string limits_words(const Workspace& w) {
                      listed(parts, "and"));
 }
 
-// How a method names itself, and what it gives.
-struct Told {
-  std::string method, how, volume, low, high, note;
-};
-
 }  // namespace
 
 std::string show_volume(double si, const std::string& unit, int digits) {
@@ -144,24 +140,29 @@ std::vector<Paragraph> workspace_words(const Workspace& w, const mechanics::Mach
 }
 
 std::string workspace_summary(const Workspace& w, const std::string& name) {
+  const analysis::WorkspaceAnswers answers(w);
+  if (!answers.any()) return {};
+  const analysis::Bracketed volume = answers.volume();
   std::string out = name.empty() ? "Workspace: " : fmt::format("Workspace {}: ", name);
-  const double cell = w.scan.cell(), range = w.scan.range();
-  if (w.proof && w.scan.orientations.empty())
-    out += w.proof->empty ? "empty (proved)" : show_bracket(w.proof->volume, w.unit) + " (proved)";
-  else if (w.grid && w.scan.orientations.empty())
-    out += fmt::format("{} by a grid of {} poses", show_volume(cell * static_cast<double>(w.grid->tally.accepted), w.unit),
-                       count(w.grid->tally.poses));
-  else if (w.grid)
-    out += fmt::format("{} where at least {} of {} orientations are within, by a grid of {} poses",
-                       show_volume(cell * static_cast<double>(std::ranges::count_if(
-                                              w.grid->accepted_at, [&](std::uint32_t k) { return k >= w.request.at_least.front(); })),
-                                   w.unit),
-                       count(w.request.at_least.front()), count(w.scan.orientation_count()), count(w.grid->tally.poses));
-  else if (w.estimate)
-    out +=
-        fmt::format("{} with 95 % certainty, by random poses", show_bracket({range * w.estimate->low, range * w.estimate->high}, w.unit));
+  if (answers.empty())
+    out += "empty";
+  else if (volume.width() > 0)
+    out += show_bracket({volume.low, volume.high}, w.unit);
   else
-    return {};
+    out += show_volume(volume.value, w.unit);
+  if (!w.scan.orientations.empty())
+    out += fmt::format(" with at least {} of {} orientations", count(w.request.at_least.front()), count(w.scan.orientation_count()));
+  switch (*answers.method()) {
+    case ScanMethod::proof:
+      out += " (proved)";
+      break;
+    case ScanMethod::grid:
+      out += fmt::format(" (a grid of {} poses)", count(w.grid->tally.poses));
+      break;
+    case ScanMethod::monte_carlo:
+      out += " (95 % of random poses)";
+      break;
+  }
   if (!w.home_inside) out += fmt::format("; home lies outside, for {} is broken", w.home_refused_by);
   return out + ".";
 }
@@ -186,9 +187,9 @@ Table workspace_volumes(const Workspace& w) {
       const std::string looked = fmt::format("{} poses, {} accepted", count(w.grid->tally.poses), count(w.grid->tally.accepted));
       if (!oriented) t.rows.push_back({"grid", number(cell * static_cast<double>(w.grid->tally.accepted)), "", "", looked});
       for (const std::uint64_t n : w.request.at_least) {
-        const auto points = std::ranges::count_if(w.grid->accepted_at, [&](std::uint32_t k) { return k >= n; });
+        const std::uint64_t points = analysis::points_with(w.grid->accepted_at, n);
         t.rows.push_back({fmt::format("grid, at least {}", count(n)), number(cell * static_cast<double>(points)), "", "",
-                          fmt::format("{} of {} points", count(static_cast<std::uint64_t>(points)), count(w.grid->accepted_at.size()))});
+                          fmt::format("{} of {} points", count(points), count(w.grid->accepted_at.size()))});
       }
     }
     if (m == ScanMethod::monte_carlo && w.estimate) {
