@@ -90,8 +90,9 @@ Result study_section(const Analysis& a, const StudyOptions& o, int number, const
     case Asked::nothing:
       break;
   }
-  if (std::string how = method_words(a, o); !how.empty())
-    out.section.blocks.insert(out.section.blocks.begin() + (out.section.blocks.empty() ? 0 : 1),
+  // Behind the sentence that says what is asked, where there is one.
+  if (std::string how = method_words(a, o); !how.empty() && !out.section.blocks.empty())
+    out.section.blocks.insert(out.section.blocks.begin() + (o.asked == Asked::variants ? 0 : 1),
                               document::Paragraph{document::Paragraph::Tone::plain, std::move(how)});
   const std::string file = o.name.empty() ? id : "study-" + o.name;
   for (document::Data& d : out.data) d.name = file;
