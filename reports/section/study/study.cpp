@@ -35,7 +35,6 @@ analysis::DesignProblem problem_of(const Analysis& a, const StudyOptions& o, con
   for (const StudiedParameter& p : o.over) out.variables.push_back({p.name, p.from, p.to, p.own});
   out.goals = o.goals;
   out.constraints = o.constraints;
-  for (const StudiedNumber& n : o.numbers) out.measures.push_back(n.what.name);
   const analysis::MachineStudy study = study_of(a, o);
   out.judge = judge_of(a, o, study, progress);
   out.confirm = judge_of(a, o, analysis::finer(study), progress);
