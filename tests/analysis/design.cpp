@@ -31,7 +31,7 @@ Judge judge_of(std::vector<Function> functions) {
 
 DesignProblem problem_of(std::vector<DesignVariable> variables, std::vector<DesignGoal> goals, std::vector<DesignConstraint> constraints,
                          std::vector<Function> functions) {
-  DesignProblem p{std::move(variables), std::move(goals), std::move(constraints), {}, judge_of(std::move(functions)), {}};
+  DesignProblem p{std::move(variables), std::move(goals), std::move(constraints), judge_of(std::move(functions)), {}};
   p.confirm = p.judge;
   return p;
 }

@@ -15,7 +15,7 @@ using Function = std::function<double(const Point&)>;
 
 DesignProblem problem_of(std::vector<DesignVariable> variables, bool maximise, std::vector<DesignConstraint> constraints,
                          std::vector<Function> functions) {
-  DesignProblem p{std::move(variables), {{0, maximise}, {1, maximise}}, std::move(constraints), {}, {}, {}};
+  DesignProblem p{std::move(variables), {{0, maximise}, {1, maximise}}, std::move(constraints), {}, {}};
   p.judge = p.confirm = [functions](const Point& x) {
     Judged out;
     for (const Function& f : functions) out.numbers.push_back(Bracketed::plain(f(x)));

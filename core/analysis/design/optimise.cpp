@@ -31,13 +31,42 @@ void compare(const Trials& trials, const DesignGoal& goal, Optimum& out) {
   out.agreement = out.apart > same_value && !open ? Agreement::different : out.away > same_place ? Agreement::flat : Agreement::agree;
 }
 
+LocalMethod other(LocalMethod m) { return m == LocalMethod::simplex ? LocalMethod::linear_models : LocalMethod::simplex; }
+
+// Of the usable trials from `first` on, those that keep the constraints before those that break them, and the better before the worse; none
+// that lies within a tenth of every range of one before it, for a search from there would end where that one does.
+std::vector<std::vector<double>> starts(const Trials& trials, const DesignGoal& goal, std::size_t first) {
+  constexpr double apart = 0.1;
+  const DesignProblem& p = trials.problem();
+  std::vector<std::pair<double, double>> rank;  // what is broken, then the cost
+  std::vector<std::size_t> order;
+  for (std::size_t k = first; k < trials.all().size(); ++k) {
+    const Judged& j = trials.all()[k].judged;
+    const bool usable = p.usable(j);
+    rank.emplace_back(usable ? violation(p.constraints, j) : 0.0, usable ? p.cost(goal, j) : 0.0);
+    if (usable) order.push_back(k);
+  }
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return rank[a - first] < rank[b - first]; });
+  std::vector<std::vector<double>> out;
+  for (const std::size_t k : order) {
+    const std::vector<double> u = trials.unit_of(trials.all()[k].values);
+    const bool near = std::ranges::any_of(out, [&](const std::vector<double>& v) {
+      for (std::size_t i = 0; i < u.size(); ++i)
+        if (std::abs(u[i] - v[i]) > apart) return false;
+      return true;
+    });
+    if (!near) out.push_back(u);
+  }
+  return out;
+}
+
 }  // namespace
 
 // Where a goal has several optima a search from one start finds the one nearest to it, and where constraints and failures crowd the range
 // it may find none. So two searches that have nothing in common but the problem share the trials: one from the scenario's own values, the
-// other from the best of points that are spread over the whole range; one by planes, which meet where constraints bind, the other by a
-// simplex, which takes no model to be true. What is left goes to the better of their ends, by the method that did not find it: planes end
-// early in curved valleys, and a simplex slowly on an edge.
+// other from points that are spread over the whole range, the best first, and from the next as long as trials are left. The methods take
+// turns: planes meet where constraints bind but end early in curved valleys; a simplex takes no model to be true, and is slow on an edge.
+// What is left goes to the best end, until neither method gets on.
 Optimum optimise(const DesignProblem& problem, std::size_t most, const Progress& progress) {
   PMREPORT_ASSERT(problem.goals.size() == 1 && most >= 10, "an optimum is of one goal, and is searched for by ten trials or more");
   const DesignGoal& goal = problem.goals.front();
@@ -46,41 +75,47 @@ Optimum optimise(const DesignProblem& problem, std::size_t most, const Progress&
   const std::vector<double> own = problem.own();
   out.own_inside = problem.inside(own);
   out.own = out.own_inside ? trials.at(own, "scenario")->judged : problem.judge(own);
+  const std::size_t share = most * 2 / 5;
 
-  const auto searched = [&](SearchEnd& end, std::string how, auto&& run) {
-    end.how = std::move(how);
-    end.first = trials.all().size();
-    run();
-    end.count = trials.all().size() - end.first;
-  };
-  const std::size_t half = most * 2 / 5;
-  const std::vector<double> start = trials.unit_of(own);
-  searched(out.first, fmt::format("{} from the scenario's own values", name_of(LocalMethod::linear_models)),
-           [&] { search_from(start, goal, {.most = half}, trials, "first search"); });
+  out.first.how = fmt::format("{} from the scenario's own values", name_of(LocalMethod::linear_models));
+  out.first.first = trials.all().size();
+  search_from(trials.unit_of(own), goal, {.most = share}, trials, "first search");
+  out.first.count = trials.all().size() - out.first.first;
   // The start is of the first search, although it was judged before.
   out.first.best = trials.best(goal);
-  searched(out.second, fmt::format("{} from the best of points spread over the range", name_of(LocalMethod::simplex)), [&] {
-    std::vector<std::vector<double>> values;
-    for (const std::vector<double>& u : spread(half / 2, own.size())) values.push_back(trials.values_of(u));
-    trials.at_all(values, "spread");
-    auto from = trials.best(goal, out.second.first);
-    if (!from) from = trials.nearest(out.second.first);
-    if (from)
-      search_from(trials.unit_of(trials.all()[*from].values), goal, {.method = LocalMethod::simplex, .most = half - half / 2, .step = 0.08},
-                  trials, "second search");
-  });
+
+  out.second.first = trials.all().size();
+  std::vector<std::vector<double>> points;
+  for (const std::vector<double>& u : spread(share / 2, own.size())) points.push_back(trials.values_of(u));
+  trials.at_all(points, "spread");
+  out.second.how = fmt::format("{} and {} in turn, from the best of {} points spread over the range", name_of(LocalMethod::simplex),
+                               name_of(LocalMethod::linear_models), trials.all().size() - out.second.first);
+  const std::size_t end = out.second.first + share;
+  LocalMethod method = LocalMethod::simplex;
+  for (const std::vector<double>& start : starts(trials, goal, out.second.first)) {
+    if (trials.all().size() >= end) break;
+    search_from(start, goal, {.method = method, .most = end - trials.all().size(), .step = 0.08, .accuracy = 1e-4}, trials,
+                "second search");
+    method = other(method);
+  }
+  out.second.count = trials.all().size() - out.second.first;
   out.second.best = trials.best(goal, out.second.first);
   compare(trials, goal, out);
 
-  if (const auto best = trials.best(goal)) {
-    const bool by_planes = *best < out.second.first;
-    const LocalMethod other = by_planes ? LocalMethod::simplex : LocalMethod::linear_models;
-    searched(out.polish, fmt::format("{} from the better of the two", name_of(other)), [&] {
-      search_from(trials.unit_of(trials.all()[*best].values), goal, {.method = other, .most = trials.left(), .step = 0.04}, trials,
-                  "polish");
-    });
-    out.polish.best = trials.best(goal, out.polish.first);
+  out.polish.first = trials.all().size();
+  out.polish.how = "both in turn, from the better end";
+  int idle = 0;
+  method = out.first.best && trials.best(goal) == out.first.best ? LocalMethod::simplex : LocalMethod::linear_models;
+  for (auto best = trials.best(goal); best && idle < 2 && trials.left() > 0; method = other(method)) {
+    search_from(trials.unit_of(trials.all()[*best].values), goal, {.method = method, .most = trials.left(), .step = 0.04}, trials,
+                "polish");
+    const auto now = trials.best(goal);
+    idle = now == best ? idle + 1 : 0;
+    best = now;
   }
+  out.polish.count = trials.all().size() - out.polish.first;
+  out.polish.best = trials.best(goal, out.polish.first);
+
   out.best = trials.best(goal);
   if (!out.best) out.nearest = trials.nearest();
   if (out.best) out.confirmed = problem.confirm(trials.all()[*out.best].values);

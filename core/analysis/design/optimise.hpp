@@ -16,7 +16,7 @@ struct SearchEnd {
   std::optional<std::size_t> best;   // of them; none: no trial of it is feasible
 };
 
-// How the two searches compare, which start elsewhere and go on by other methods.
+// How the two searches compare, which start elsewhere.
 enum class Agreement {
   agree,      // value and variables
   flat,       // the value, at other variables: the goal is flat, or has two optima that are equally good

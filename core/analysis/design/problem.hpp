@@ -54,7 +54,6 @@ struct DesignProblem {
   std::vector<DesignVariable> variables;
   std::vector<DesignGoal> goals;  // one to search for, two for a front
   std::vector<DesignConstraint> constraints;
-  std::vector<std::string> measures;  // names, for sentences
   Judge judge;
   Judge confirm;  // the same numbers, more finely, for what a search found
 

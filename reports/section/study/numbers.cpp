@@ -42,7 +42,10 @@ std::vector<Offered> offered_by(const std::vector<scenario::Section>& sections, 
     const std::string of = named ? fmt::format("of the workspace {}", in_quotes(w->name)) : "of the workspace",
                       behind = named ? fmt::format(" ({})", w->name) : "";
     const std::size_t axes = w->request.scan.size();
-    const char* const size = axes == 3 && w->unit == "m^3" ? "volume" : axes == 2 && w->unit == "m^2" ? "area" : "size";
+    const char* const size = axes == 3 && w->unit == "m^3"   ? "volume"
+                             : axes == 2 && w->unit == "m^2" ? "area"
+                             : axes == 1                     ? "extent"
+                                                             : "size";
     add(What::volume, quantity_name(*w, "volume"), w->unit, fmt::format("{} {}", size, of), size + behind, w, 0);
     for (std::size_t i = 0; i < axes; ++i) {
       const Coordinate& c = topology.coordinates[static_cast<std::size_t>(w->request.scan[i].coordinate)];

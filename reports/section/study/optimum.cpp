@@ -92,7 +92,7 @@ document::Table table_of_searches(const Told& t) {
       {false, true, true, false},
       {}};
   for (const analysis::SearchEnd* s : {&t.found.first, &t.found.second, &t.found.polish}) {
-    if (s->how.empty()) continue;
+    if (s->count == 0) continue;
     const bool any = s->best.has_value();
     out.rows.push_back({s->how, std::to_string(s->count),
                         any ? with_unit(t.found.trials[*s->best].judged.numbers[t.goal()], t.o.numbers[t.goal()].unit) : "–",
@@ -167,7 +167,7 @@ std::vector<Evidence> evidence(const Told& t) {
     out.push_back({same, "gap between the two brackets, of the value; by " + look, disagreement(t.o, t.best().judged, closer),
                    allowed_disagreement(t.o), ""});
   }
-  const std::string claim = "a second search, from elsewhere and by another method, finds the same",
+  const std::string claim = "a second search, from elsewhere, finds the same",
                     how = fmt::format("{}, and {}", t.found.first.how, t.found.second.how);
   if (t.found.agreement == Agreement::agree || t.found.agreement == Agreement::flat)
     out.push_back({claim, how + ": gap between the brackets of the goal, of its value", goal_gap(t), analysis::same_value, ""});

@@ -35,7 +35,6 @@ analysis::DesignProblem problem_of(const Analysis& a, const StudyOptions& o, con
   for (const StudiedParameter& p : o.over) out.variables.push_back({p.name, p.from, p.to, p.own});
   out.goals = o.goals;
   out.constraints = o.constraints;
-  for (const StudiedNumber& n : o.numbers) out.measures.push_back(n.what.name);
   const analysis::MachineStudy study = study_of(a, o);
   out.judge = judge_of(a, o, study, progress);
   out.confirm = judge_of(a, o, analysis::finer(study), progress);
@@ -90,8 +89,9 @@ Result study_section(const Analysis& a, const StudyOptions& o, int number, const
     case Asked::nothing:
       break;
   }
-  if (std::string how = method_words(a, o); !how.empty())
-    out.section.blocks.insert(out.section.blocks.begin() + (out.section.blocks.empty() ? 0 : 1),
+  // Behind the sentence that says what is asked, where there is one.
+  if (std::string how = method_words(a, o); !how.empty() && !out.section.blocks.empty())
+    out.section.blocks.insert(out.section.blocks.begin() + (o.asked == Asked::variants ? 0 : 1),
                               document::Paragraph{document::Paragraph::Tone::plain, std::move(how)});
   const std::string file = o.name.empty() ? id : "study-" + o.name;
   for (document::Data& d : out.data) d.name = file;

@@ -139,6 +139,8 @@ figure::Figure figure_of(const StudyOptions& o, const Sweep& s, const Judged& ow
   out.caption = fmt::format("{} over {}{}.", listed(titles, "and"), listed(names, "and"),
                             o.over.size() == 1 ? "; a dot is a variant" : "; between the variants the colours are interpolated");
   out.caption.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(out.caption.front())));
+  if (std::ranges::any_of(all, [](const Judged* j) { return !j->made(); }))
+    out.caption += " Grey: variants that could not be made or judged.";
   if (out.panels.size() == 1 && o.over.size() == 1) out.width = figure::Width::column, out.columns = 1;
   return out;
 }
