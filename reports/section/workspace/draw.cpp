@@ -132,6 +132,9 @@ class Drawing {
         map.panels.push_back(std::move(over));
       }
       figure.panels.push_back(std::move(panel));
+      if (!options_.exports) continue;
+      out_.data.push_back(slice_data(fmt::format("{}-slice-{}", id_, figure.panels.size()), field, coordinates, w_.margins.margins));
+      figure.data = "data/" + out_.data.front().name + ".csv";
     }
     figure.caption =
         "Slices through the workspace: accepted poses, and refused ones by the first limit that refuses them; the lines are the limits "
@@ -152,6 +155,24 @@ class Drawing {
     }
   }
 
+  // What the set looks like along each axis.
+  void projections(const scan::Field& field) {
+    figure::Figure figure{id_ + "-projections",
+                          "The workspace as it is seen along one coordinate: outline of all accepted poses, whatever that coordinate is.",
+                          "",
+                          figure::Width::full,
+                          2,
+                          {}};
+    const std::vector<double> least = field.least();
+    for (const auto& [first, second, along] : {std::array<std::size_t, 3>{0, 1, 2}, {0, 2, 1}}) {
+      figure::Panel panel = outline_panel({field.axes[first], field.axes[second]}, largest_along_others(field.axes, least, first, second),
+                                          {coordinate(first), coordinate(second)}, "");
+      panel.title = "along " + symbol(coordinate(along).name);
+      figure.panels.push_back(std::move(panel));
+    }
+    out_.blocks.emplace_back(std::move(figure));
+  }
+
   void surface() {
     // A surface over other coordinates has no place beside the mechanism.
     const bool in_space = coordinate(0).name == "x" && coordinate(1).name == "y" && coordinate(2).name == "z";
@@ -163,6 +184,7 @@ class Drawing {
       if (!narrow_to(scan, coarse)) return;
       const scan::Field field = scan::sample_field(w_.set, scan);
       surface = boundary_surface(field, w_.set.rounding);
+      projections(field);
     } else if (w_.grid) {
       std::vector<double> value;
       for (const std::uint32_t n : w_.grid->accepted_at) value.push_back(n >= w_.request.at_least.front() ? 1 : -1);

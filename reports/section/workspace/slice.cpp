@@ -130,7 +130,6 @@ document::Data slice_data(const std::string& name, const scan::Field& field, con
   const auto values = readable(field, margins);
   document::Data data{name, {"refused_by"}, {{}, {}}, {{}}};
   for (const Coordinate& c : coordinates) data.headings.push_back(c.name + " [" + c.unit + "]");
-  for (const mechanics::PoseMargin& m : margins) data.headings.push_back("margin " + m.name);
   const std::size_t across = field.axes[0].count, up = field.axes[1].count;
   for (std::size_t i = 0; i < across; ++i)
     for (std::size_t j = 0; j < up; ++j) {
@@ -139,7 +138,6 @@ document::Data slice_data(const std::string& name, const scan::Field& field, con
       data.words[0].push_back(m < margins.size() ? margins[m].name : "");
       data.columns[0].push_back(field.axes[0].value(i)), data.columns[1].push_back(field.axes[1].value(j));
     }
-  data.columns.insert(data.columns.end(), field.margins.begin(), field.margins.end());
   return data;
 }
 

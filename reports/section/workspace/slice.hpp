@@ -26,7 +26,7 @@ figure::Panel slice_panel(const scan::Field& field, const std::array<Coordinate,
                           const std::vector<mechanics::PoseMargin>& margins, const std::vector<std::size_t>& told);
 // The margins that refuse most points of some slices, in their order, as many as a reader can tell apart; the reach is not among them.
 std::vector<std::size_t> margins_to_tell(const std::vector<const scan::Field*>& fields, const std::vector<mechanics::PoseMargin>& margins);
-// The same as numbers: the coordinates, the name of the first margin that refuses, and every margin.
+// The same as numbers: the coordinates, and the name of the first margin that refuses.
 document::Data slice_data(const std::string& name, const scan::Field& field, const std::array<Coordinate, 2>& coordinates,
                           const std::vector<mechanics::PoseMargin>& margins);
 
