@@ -1,5 +1,5 @@
 // The program: what the user typed goes to its command, and what a command throws becomes a sentence and the exit status.
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/scan/checkpoint.hpp>
 #include <core/scenario/diagnostic.hpp>
 #include <reports/document/write.hpp>

@@ -1,7 +1,7 @@
 #include <core/analysis/breaches.hpp>
 
 #include <core/analysis/columns.hpp>
-#include <core/mechanics/model/joint_words.hpp>
+#include <core/mechanics/machine/joint_words.hpp>
 
 #include <algorithm>
 #include <cmath>

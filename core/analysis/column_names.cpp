@@ -1,6 +1,6 @@
 #include <core/analysis/column_names.hpp>
 
-#include <core/mechanics/model/joint_words.hpp>
+#include <core/mechanics/machine/joint_words.hpp>
 
 #include <fmt/core.h>
 

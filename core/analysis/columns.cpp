@@ -1,6 +1,6 @@
 #include <core/analysis/columns.hpp>
+#include <core/mechanics/machine/joint_words.hpp>
 #include <core/mechanics/model/effort.hpp>
-#include <core/mechanics/model/joint_words.hpp>
 #include <core/mechanics/workspace/limb_line.hpp>
 
 #include <fmt/core.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <core/analysis/conditioning.hpp>
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/mechanics/trajectory/trajectory.hpp>
 #include <core/program/bounds.hpp>
 

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <core/mechanics/model/joint_words.hpp>
+#include <core/mechanics/machine/joint_words.hpp>
 #include <core/scenario/sizing_part.hpp>
 #include <core/text/digits.hpp>
 #include <core/text/text.hpp>

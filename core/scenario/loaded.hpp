@@ -1,7 +1,7 @@
 // From TOML to what was asked: a scenario validated against its mechanism. All errors of a file are told in one run.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/mechanics/trajectory/trajectory.hpp>
 #include <core/scenario/diagnostic.hpp>
 #include <core/scenario/scenario.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <core/mechanics/dynamics/drive.hpp>
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/scenario/load.hpp>
 #include <core/scenario/measured.hpp>
 #include <core/scenario/motion/request.hpp>

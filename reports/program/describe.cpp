@@ -1,6 +1,6 @@
+#include <core/mechanics/machine/joint_words.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/mechanics/model/effort.hpp>
-#include <core/mechanics/model/joint_words.hpp>
-#include <core/mechanics/model/machine.hpp>
 #include <core/text/units.hpp>
 #include <reports/program/commands.hpp>
 

@@ -1,7 +1,7 @@
 // What of a mechanism's data looks odd, for whoever checks it.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 
 namespace pmreport::program {
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 #include <fmt/core.h>
 
 #include <core/host/plugin_file.hpp>
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/program/boxes.hpp>
 #include <tests/bench/interval_kernel.hpp>
 #include <tests/bench/timing.hpp>

@@ -1,6 +1,6 @@
 // What the recorded program costs: to record, to differentiate, and to scan with, beside `place` and loops written by hand. See README.md.
 #include <core/host/plugin_file.hpp>
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/program/batch.hpp>
 #include <core/program/derivative.hpp>
 #include <tests/bench/hand_written.hpp>

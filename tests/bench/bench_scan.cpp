@@ -1,7 +1,7 @@
 // What a grid costs: Glazunov's, of Gough's platform and of the parallel-cross mechanism, by the general program and by hand. See
 // README.md.
 #include <core/host/plugin_file.hpp>
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/mechanics/workspace/pose_limits.hpp>
 #include <core/scan/grid.hpp>
 #include <tests/bench/hand_scan.hpp>

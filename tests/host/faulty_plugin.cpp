@@ -1,7 +1,7 @@
 // Faults that show only when a mechanism is made or asked: the host tells them and lives on.
 #include <catch2/catch.hpp>
 #include <core/host/plugin_file.hpp>
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <optional>
 #include <string_view>
 

@@ -1,7 +1,7 @@
 #include <tests/judges/mujoco_tree.hpp>
 
+#include <core/mechanics/machine/joint_words.hpp>
 #include <core/mechanics/model/generic_model.hpp>
-#include <core/mechanics/model/joint_words.hpp>
 
 #include <fmt/core.h>
 

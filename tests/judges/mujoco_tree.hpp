@@ -1,7 +1,7 @@
 // A machine as MuJoCo can take it: a tree of bodies, whose loops are closed by points that must coincide.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 
 #include <string>
 #include <vector>

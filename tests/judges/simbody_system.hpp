@@ -1,7 +1,7 @@
 // Bodies, joints, gravity and load of a mechanism, made in Simbody from its declaration and its home placement.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <tests/judges/simbody_headers.hpp>
 #include <tests/judges/simbody_tree.hpp>
 

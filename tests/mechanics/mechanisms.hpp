@@ -4,7 +4,7 @@
 #include <pmreport/plugin.h>
 
 #include <Eigen/Core>
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/mechanics/model/state.hpp>
 #include <random>
 #include <string_view>

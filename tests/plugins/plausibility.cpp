@@ -1,6 +1,6 @@
 // Nothing of the mechanisms of the house looks odd; mistakes planted in copies of them do.
 #include <core/mechanics/conformance/plausibility.hpp>
-#include <core/mechanics/model/contract.hpp>
+#include <core/mechanics/machine/contract.hpp>
 #include <tests/plugins/every_mechanism.hpp>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <core/host/plugin_file.hpp>
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 
 #include <map>
 #include <stdexcept>

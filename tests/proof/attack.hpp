@@ -4,7 +4,7 @@
 #pragma once
 
 #include <core/analysis/proof/proof.hpp>
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/mechanics/recorded/motion_program.hpp>
 #include <tests/proof/law.hpp>
 

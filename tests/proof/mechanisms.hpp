@@ -1,7 +1,7 @@
 // The mechanisms of the house, and random motions of them.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <tests/proof/sine_motion.hpp>
 
 #include <memory>

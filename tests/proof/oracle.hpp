@@ -2,7 +2,7 @@
 // and the sign of det G from its factors.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/mechanics/recorded/motion_program.hpp>
 #include <core/program/evaluate.hpp>
 #include <pmreport/jet.hpp>

@@ -2,7 +2,7 @@
 // parameters ask, so that what is true of a motion can be told by hand.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <pmreport/mechanism.hpp>
 
 namespace pmreport::test {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <core/analysis/proof/proof.hpp>
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <tests/proof/pieces.hpp>
 
 #include <map>

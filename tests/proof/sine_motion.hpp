@@ -1,7 +1,7 @@
 // A motion of sines in every coordinate, known at every instant and over every span: for proofs, without a scenario.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/mechanics/trajectory/trajectory.hpp>
 #include <tests/proof/law.hpp>
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <pmreport/mechanism.hpp>
 #include <reports/scene/look.hpp>
 #include <set>

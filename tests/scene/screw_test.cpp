@@ -1,5 +1,5 @@
 #include <catch2/catch.hpp>
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <limits>
 #include <pmreport/mechanism.hpp>
 #include <reports/scene/look.hpp>

@@ -3,7 +3,7 @@
 
 #include <core/analysis/design/problem.hpp>
 #include <core/analysis/workspace/workspace.hpp>
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 
 #include <string>
 #include <vector>

@@ -7,7 +7,7 @@
 // beginning; and the numerical path lies in the chain's boxes at each of its samples. Any span is then answered within these boxes.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/mechanics/trajectory/trajectory.hpp>
 #include <core/program/bounds.hpp>
 

@@ -1,7 +1,7 @@
 // Whether what was recorded is what the plugin computes: at the poses of the motion itself.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/mechanics/trajectory/trajectory.hpp>
 
 namespace pmreport::analysis {

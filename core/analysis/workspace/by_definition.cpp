@@ -1,8 +1,8 @@
 #include <core/analysis/workspace/by_definition.hpp>
 
 #include <core/analysis/workspace/scan_of.hpp>
+#include <core/mechanics/machine/joint_words.hpp>
 #include <core/mechanics/model/closure.hpp>
-#include <core/mechanics/model/joint_words.hpp>
 #include <core/mechanics/workspace/segments.hpp>
 #include <core/program/evaluate.hpp>
 

@@ -1,7 +1,7 @@
 // Forward displacement, all of it: every real assembly mode, that is, every pose in which the actuators have given values.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/mechanics/model/state.hpp>
 
 #include <cstdint>

@@ -2,9 +2,9 @@
 #include <core/mechanics/conformance/wrench_properties.hpp>
 
 #include <core/linear/singular_values.hpp>
+#include <core/mechanics/machine/joint_words.hpp>
 #include <core/mechanics/model/constraint_scale.hpp>
 #include <core/mechanics/model/generic_model.hpp>
-#include <core/mechanics/model/joint_words.hpp>
 #include <core/text/text.hpp>
 
 #include <fmt/core.h>

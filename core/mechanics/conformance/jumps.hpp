@@ -1,7 +1,7 @@
 // Quantities that jump: an angle whose arc tangent passes its cut changes by a turn between two poses that touch.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 
 #include <optional>
 #include <string>

@@ -5,7 +5,7 @@
 // the platform's turns, or which of two sound shapes was meant, cannot be seen in them.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 
 #include <string>
 #include <vector>

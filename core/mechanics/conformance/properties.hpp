@@ -1,7 +1,7 @@
 // The property suite: what must hold for every mechanism, whoever wrote it. Run by the tests over all plugins and by `pmreport check`.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // The same geometry on other scalars, and at many poses at once, must give the same numbers.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 
 #include <string>
 #include <vector>

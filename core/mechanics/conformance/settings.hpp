@@ -2,7 +2,7 @@
 // size alone.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 
 #include <cstdint>
 #include <memory>

@@ -11,7 +11,7 @@
 // which has the sign of det G, is zero where the wrenches depend on one another and never infinite.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 
 namespace pmreport::mechanics {
 

@@ -1,7 +1,7 @@
 // Poses to try a mechanism at.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 
 #include <cstdint>
 #include <vector>

@@ -12,7 +12,7 @@
 #pragma once
 
 #include <core/linear/types.hpp>
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 
 #include <string>
 #include <vector>

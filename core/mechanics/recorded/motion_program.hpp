@@ -2,7 +2,7 @@
 // host's own, the motions of the joints from home.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/program/program.hpp>
 
 #include <optional>

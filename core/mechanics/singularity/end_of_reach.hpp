@@ -7,7 +7,7 @@
 // from however far or near. Of an actuator that is nowhere near such an end (1) is of the size of the mechanism or more.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/mechanics/model/state.hpp>
 
 #include <optional>

@@ -1,7 +1,7 @@
 // Where a trajectory meets the first singular surface, as seen by the side of it that its samples are on (overall_jacobian.hpp).
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/mechanics/trajectory/trajectory.hpp>
 
 #include <optional>

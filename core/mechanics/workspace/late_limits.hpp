@@ -12,7 +12,7 @@
 // singular value of its first three rows and the columns of that force.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 
 #include <functional>
 #include <memory>

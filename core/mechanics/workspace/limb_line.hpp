@@ -1,7 +1,7 @@
 // Limbs as lines: what their angles and distances are told by.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #include <core/mechanics/workspace/pose_limits.hpp>
 
+#include <core/mechanics/machine/joint_words.hpp>
 #include <core/mechanics/model/joint_motion.hpp>
-#include <core/mechanics/model/joint_words.hpp>
 #include <core/mechanics/recorded/motion_program.hpp>
 #include <core/mechanics/workspace/late_limits.hpp>
 #include <core/mechanics/workspace/limb_line.hpp>

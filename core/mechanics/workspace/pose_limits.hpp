@@ -1,7 +1,7 @@
 // What a pose of a mechanism must keep: reach, strokes, joints, and what a designer asks besides, as one program of margins.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/program/program.hpp>
 
 #include <functional>

@@ -1,6 +1,6 @@
 #include <reports/section/common/proof_words.hpp>
 
-#include <core/mechanics/model/joint_words.hpp>
+#include <core/mechanics/machine/joint_words.hpp>
 #include <core/text/text.hpp>
 #include <reports/section/common/brackets.hpp>
 #include <reports/section/common/limits.hpp>

@@ -1,5 +1,5 @@
 // Section `displacement`.
-#include <core/mechanics/model/joint_words.hpp>
+#include <core/mechanics/machine/joint_words.hpp>
 #include <reports/section/common/kinematic_plots.hpp>
 #include <reports/section/common/limits.hpp>
 #include <reports/section/common/words.hpp>

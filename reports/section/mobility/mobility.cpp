@@ -1,8 +1,8 @@
 // Section `mobility`: how many freedoms, which, why, and whether they last.
+#include <core/mechanics/machine/joint_words.hpp>
 #include <core/mechanics/mobility/mobility.hpp>
 #include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/model/generic_model.hpp>
-#include <core/mechanics/model/joint_words.hpp>
 #include <core/mechanics/model/random_poses.hpp>
 #include <core/mechanics/singularity/singularity.hpp>
 #include <reports/section/common/words.hpp>

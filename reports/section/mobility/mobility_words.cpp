@@ -1,5 +1,5 @@
+#include <core/mechanics/machine/joint_words.hpp>
 #include <core/mechanics/mobility/mobility.hpp>
-#include <core/mechanics/model/joint_words.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/mobility/mobility.hpp>
 

@@ -2,7 +2,7 @@
 #include <reports/section/common/words.hpp>
 #include <reports/section/reactions/reactions.hpp>
 
-#include <core/mechanics/model/joint_words.hpp>
+#include <core/mechanics/machine/joint_words.hpp>
 
 #include <fmt/core.h>
 

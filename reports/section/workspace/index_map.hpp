@@ -1,7 +1,7 @@
 // An index of the mechanism over a slice.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/scan/field.hpp>
 
 #include <string>

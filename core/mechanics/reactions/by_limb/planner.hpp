@@ -1,7 +1,7 @@
 // Makes the plan of a mechanism, and tries it.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 #include <core/mechanics/reactions/by_limb/plan.hpp>
 
 #include <optional>

@@ -1,4 +1,4 @@
-#include <core/mechanics/model/joint_words.hpp>
+#include <core/mechanics/machine/joint_words.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
-#include <core/mechanics/model/topology_check.hpp>
+#include <core/mechanics/machine/topology_check.hpp>
 
-#include <core/mechanics/model/contract.hpp>
+#include <core/mechanics/machine/contract.hpp>
 
 #include <fmt/core.h>
 

@@ -1,11 +1,11 @@
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 
 #include <core/assertion.hpp>
-#include <core/mechanics/model/contract.hpp>
-#include <core/mechanics/model/geometry_recorder.hpp>
-#include <core/mechanics/model/inertia_check.hpp>
-#include <core/mechanics/model/topology_check.hpp>
-#include <core/mechanics/model/topology_reader.hpp>
+#include <core/mechanics/machine/contract.hpp>
+#include <core/mechanics/machine/geometry_recorder.hpp>
+#include <core/mechanics/machine/inertia_check.hpp>
+#include <core/mechanics/machine/topology_check.hpp>
+#include <core/mechanics/machine/topology_reader.hpp>
 
 #include <fmt/core.h>
 

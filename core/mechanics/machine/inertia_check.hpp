@@ -1,7 +1,7 @@
 // Whether there can be bodies with the masses and inertias that are declared.
 #pragma once
 
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 
 #include <span>
 #include <string>

@@ -5,7 +5,7 @@
 #include <pmreport/plugin.h>
 #include <Eigen/Core>
 #include <core/linear/types.hpp>
-#include <core/mechanics/model/mechanism_error.hpp>
+#include <core/mechanics/machine/mechanism_error.hpp>
 #include <limits>
 #include <memory>
 #include <pmreport/topology.hpp>

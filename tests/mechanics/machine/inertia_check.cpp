@@ -1,5 +1,5 @@
 // Inertias that bodies have are taken, those that no body has are told, and the parameter that brought it is named.
-#include <core/mechanics/model/inertia_check.hpp>
+#include <core/mechanics/machine/inertia_check.hpp>
 #include <pmreport/mechanism.hpp>
 
 #include <Eigen/Geometry>

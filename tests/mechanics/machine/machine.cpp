@@ -1,5 +1,5 @@
 // What a mechanism declares is checked once, and each slip has its own sentence.
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/machine.hpp>
 
 #include <pmreport/mechanism.hpp>
 #include <tests/mechanics/mechanisms.hpp>

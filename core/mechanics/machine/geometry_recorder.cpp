@@ -1,6 +1,6 @@
-#include <core/mechanics/model/geometry_recorder.hpp>
+#include <core/mechanics/machine/geometry_recorder.hpp>
 
-#include <core/mechanics/model/contract.hpp>
+#include <core/mechanics/machine/contract.hpp>
 
 #include <fmt/format.h>
 

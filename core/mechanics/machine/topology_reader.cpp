@@ -1,7 +1,7 @@
-#include <core/mechanics/model/topology_reader.hpp>
+#include <core/mechanics/machine/topology_reader.hpp>
 
-#include <core/mechanics/model/contract.hpp>
-#include <core/mechanics/model/machine.hpp>
+#include <core/mechanics/machine/contract.hpp>
+#include <core/mechanics/machine/machine.hpp>
 
 #include <fmt/core.h>
 

@@ -7,7 +7,7 @@
 // A motor that turns a body about the axis a through a gear is felt there as an inertia J about that axis alone, I + J a a^T. What is
 // declared is then possible where some J from 0 to a^T I a leaves a possible body. The least principal value of S - J (1 / 2 - a a^T) is
 // concave in J, so the best J is found by sections.
-#include <core/mechanics/model/inertia_check.hpp>
+#include <core/mechanics/machine/inertia_check.hpp>
 
 #include <core/linear/eigenvalues.hpp>
 #include <core/text/text.hpp>

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <core/mechanics/model/mechanism_error.hpp>
+#include <core/mechanics/machine/mechanism_error.hpp>
 #include <cstddef>
 #include <cstring>
 #include <string>
