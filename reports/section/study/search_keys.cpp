@@ -100,9 +100,10 @@ void read_constraint(const Value& content, const Reading& r, O& options) {
   scenario::TableReader table(content, "a constraint", content.place, r.reader);
   const Entry *that = table.need("that", "that = \"home.condition\""), *below = table.find("below"), *above = table.find("above");
   table.finish();
-  const auto number = that != nullptr ? read_studied_number(that->value, r, options) : std::nullopt;
   if (below == nullptr && above == nullptr)
     r.reader.diagnostics().add(content.place, "expected below or above in a constraint", "write below = \"40\"");
+  if (that == nullptr) return;
+  const auto number = read_studied_number(that->value, r, options);
   if (!number) return;
   const Dimension dimension = parse_unit(options.numbers[*number].unit).value_or(Unit{}).dimension;
   for (const Entry* e : {below, above})
