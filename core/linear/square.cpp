@@ -22,8 +22,6 @@ Vector6d solution(const Matrix6d& a, const Vector6d& b) { return a.partialPivLu(
 
 Vector6d solution_of_transpose(const Matrix6d& a, const Vector6d& b) { return a.transpose().partialPivLu().solve(b); }
 
-Matrix6d inverse_of_jacobian(const Matrix6d& a) { return a.partialPivLu().inverse(); }
-
 SmallMatrix inverse(const SmallMatrix& a) {
   PMREPORT_ASSERT(a.rows() == a.cols(), "only a square matrix has an inverse");
   return a.partialPivLu().inverse();

@@ -22,7 +22,6 @@ Vector6d solution(const Matrix6d& a, const Vector6d& b);               // x of a
 Vector6d solution_of_transpose(const Matrix6d& a, const Vector6d& b);  // x of a^T x = b
 
 SmallMatrix inverse(const SmallMatrix& a);
-Matrix6d inverse_of_jacobian(const Matrix6d& a);
 
 // A matrix factorised once, for several right sides. `order`: in which its numbers follow one another; that of the transpose of a
 // SmallMatrix is by rows, and not moving them saves a copy. The order decides how sums round.

@@ -1,5 +1,7 @@
 #include <core/program/batch_kernel.hpp>
 
+#include <core/vectors.hpp>
+
 #include <cmath>
 #include <vector>
 
@@ -40,21 +42,16 @@ class Block {
     with(arrays_[s_.a], s_.same_a,
          [&](auto x) { with(arrays_[s_.b], s_.same_b, [&](auto y) { each([&](std::size_t k) { return f(x(k), y(k)); }); }); });
   }
+  template <class F>
+  void ternary(F f) const {
+    with(arrays_[s_.a], s_.same_a, [&](auto x) {
+      with(arrays_[s_.b], s_.same_b,
+           [&](auto y) { with(arrays_[s_.c], s_.same_c, [&](auto z) { each([&](std::size_t k) { return f(x(k), y(k), z(k)); }); }); });
+    });
+  }
   // What is passed on, operand b or c.
   void pass(int operand, bool same) const {
     with(arrays_[operand], same, [&](auto x) { each([&](std::size_t k) { return x(k); }); });
-  }
-  void choose() const {
-    with(arrays_[s_.a], s_.same_a, [&](auto mask) {
-      with(arrays_[s_.b], s_.same_b, [&](auto x) {
-        with(arrays_[s_.c], s_.same_c, [&](auto y) {
-          each([&](std::size_t k) {
-            const double first = x(k), second = y(k);
-            return mask(k) != 0 ? first : second;
-          });
-        });
-      });
-    });
   }
 
  private:
@@ -75,6 +72,18 @@ class Block {
 [[gnu::always_inline]] inline void run(std::span<const BlockStep> steps, double* const* arrays, std::size_t count) {
   for (const BlockStep& s : steps) {
     const Block block(s, arrays, count);
+    if (s.fused == Fused::added) {
+      block.ternary([](double x, double y, double z) { return x + y * z; });
+      continue;
+    }
+    if (s.fused == Fused::subtracted) {
+      block.ternary([](double x, double y, double z) { return x - y * z; });
+      continue;
+    }
+    if (s.fused == Fused::subtracted_from) {
+      block.ternary([](double x, double y, double z) { return y * z - x; });
+      continue;
+    }
     switch (s.operation) {
       case Operation::add:
         block.binary([](double x, double y) { return x + y; });
@@ -140,7 +149,7 @@ class Block {
         block.unary([](double x) { return 1 - x; });
         break;
       case Operation::choose:
-        block.choose();
+        block.ternary([](double mask, double x, double y) { return mask != 0 ? x : y; });
         break;
       case Operation::settled:
         block.pass(s.b, s.same_b);
@@ -171,13 +180,8 @@ std::span<const BlockKernel> block_kernels() {
   static const std::vector<BlockKernel> all = [] {
     std::vector<BlockKernel> out{run_plain};
 #if defined(__x86_64__)
-    // By features: Clang 14 cannot be asked for levels.
-    const bool v3 =
-        __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
-    const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
-                    __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-    if (v3) out.push_back(run_v3);
-    if (v4) out.push_back(run_v4);
+    if (vector_level() >= 3) out.push_back(run_v3);
+    if (vector_level() >= 4) out.push_back(run_v4);
 #endif
     return out;
   }();

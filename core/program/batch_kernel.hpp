@@ -8,9 +8,13 @@
 
 namespace pmreport::program {
 
-// One operation on a block of poses. Its numbers are places in a table of arrays.
+// A product that nothing else uses stays in a register: both roundings are those of the two steps.
+enum class Fused { none, added, subtracted, subtracted_from };  // a + b c, a - b c, b c - a
+
+// One operation on a block of poses, or two. Its numbers are places in a table of arrays.
 struct BlockStep {
-  Operation operation;
+  Fused fused;
+  Operation operation;  // where nothing is fused
   int to, a, b, c;
   bool same_a, same_b, same_c;  // the array has one number, for all poses
 };

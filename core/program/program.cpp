@@ -1,5 +1,7 @@
 #include <core/program/program.hpp>
 
+#include <core/assertion.hpp>
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -46,6 +48,13 @@ void demand_sound(const Step& s, std::size_t number, std::span<const Step> befor
   }
 }
 
+// The step on operands by their numbers now.
+Step renumbered(Step s, const std::vector<int>& now) {
+  int* operands[] = {&s.a, &s.b, &s.c};
+  for (int k = 0; k < operands_of(s.operation); ++k) *operands[k] = now[static_cast<std::size_t>(*operands[k])];
+  return s;
+}
+
 // Hands the steps that the outputs need, and all that these need, to `add`, which gives their new numbers. Returns those of the outputs.
 template <class Add>
 std::vector<int> copy_needed(std::span<const Step> steps, std::span<const int> outputs, Add&& add) {
@@ -58,10 +67,7 @@ std::vector<int> copy_needed(std::span<const Step> steps, std::span<const int> o
   std::vector<int> now(steps.size(), -1);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (!needed[i]) continue;
-    Step s = steps[i];
-    int* operands[] = {&s.a, &s.b, &s.c};
-    for (int k = 0; k < operands_of(s.operation); ++k) *operands[k] = now[static_cast<std::size_t>(*operands[k])];
-    now[i] = add(s);
+    now[i] = add(renumbered(steps[i], now));
   }
   std::vector<int> out;
   for (const int o : outputs) out.push_back(now[static_cast<std::size_t>(o)]);
@@ -73,6 +79,33 @@ std::vector<int> copy_needed(std::span<const Step> steps, std::span<const int> o
 int operands_of(Operation o) { return form(o).operands; }
 bool gives_mask(Operation o) { return form(o).mask; }
 const char* name_of(Operation o) { return form(o).name; }
+
+Program composed(const Program& outer, const Program& inner) {
+  PMREPORT_ASSERT(inner.outputs().size() == static_cast<std::size_t>(outer.inputs()), "programs follow one another number by number");
+  Builder list(inner.steps().size() + outer.steps().size());
+  std::vector<int> first(inner.steps().size()), second(outer.steps().size());
+  for (std::size_t i = 0; i < first.size(); ++i) first[i] = list.add(renumbered(inner.steps()[i], first));
+  for (std::size_t i = 0; i < second.size(); ++i) {
+    const Step& s = outer.steps()[i];
+    second[i] = s.operation == Operation::input ? first[static_cast<std::size_t>(inner.outputs()[static_cast<std::size_t>(s.a)])]
+                                                : list.add(renumbered(s, second));
+  }
+  std::vector<int> outputs;
+  for (const int o : outer.outputs()) outputs.push_back(second[static_cast<std::size_t>(o)]);
+  return Program(list.steps(), inner.inputs(), outputs);
+}
+
+Program joined(const Program& first, const Program& second) {
+  PMREPORT_ASSERT(first.inputs() == second.inputs(), "programs of the same numbers are joined");
+  std::vector<Step> steps(first.steps().begin(), first.steps().end());
+  std::vector<int> now, outputs(first.outputs().begin(), first.outputs().end());
+  for (const Step& s : second.steps()) {
+    now.push_back(static_cast<int>(steps.size()));
+    steps.push_back(renumbered(s, now));
+  }
+  for (const int o : second.outputs()) outputs.push_back(now[static_cast<std::size_t>(o)]);
+  return Program(steps, first.inputs(), outputs);
+}
 
 std::vector<Step> steps_of(std::span<const pm_step> recorded) {
   std::vector<Step> out;

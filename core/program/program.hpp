@@ -88,6 +88,12 @@ class Program {
   int inputs_ = 0;
 };
 
+// What `outer` gives where its inputs are the outputs of `inner`, one each.
+Program composed(const Program& outer, const Program& inner);
+
+// Both programs of the same inputs as one: the outputs of `second` behind those of `first`.
+Program joined(const Program& first, const Program& second);
+
 // A plugin's recording as steps. Throws ProgramError.
 std::vector<Step> steps_of(std::span<const pm_step> recorded);
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <memory>
 #include <new>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 
@@ -37,6 +38,7 @@ class Count {
         walks_([this, prune = options.prune] { return Walk(plan_, prune, bits()); }) {
     out_.tally = empty_tally(set.size(), options.reasons);
     out_.accepted_at.resize(scan.point_count());
+    if (set.late.every > 0) out_.by_others_at.resize(scan.point_count());
     const std::size_t words = options.keep_poses ? (poses_of(scan) + 63) / 64 : 0;
     out_.accepted_poses.resize(words);
     if (options.sign != nullptr) out_.positive_poses.resize(words), out_.negative_poses.resize(words);
@@ -52,7 +54,7 @@ class Count {
       add_number(*n);
     for (auto* numbers : {&out_.tally.first, &out_.tally.any, &out_.accepted_poses, &out_.positive_poses, &out_.negative_poses})
       add_to(out, *numbers);
-    add_to(out, out_.accepted_at);
+    for (auto* counts : {&out_.accepted_at, &out_.by_others_at}) add_to(out, *counts);
     return out;
   }
   // Of what decides the meaning of the state.
@@ -121,6 +123,7 @@ class Count {
       std::size_t number = 0;
       for (std::size_t a = 0; a < at.size(); ++a) number = number * scan_.points[a].count + at[a];
       out_.accepted_at[number] += found.accepted[k];
+      if (!found.by_others.empty()) out_.by_others_at[number] += found.by_others[k];
     });
   }
 
@@ -139,10 +142,17 @@ class Count {
   GridCounts out_;
 };
 
+// A point at which an orientation keeps all other margins and not those that must hold at every one has none that is accepted.
+void demand_every(GridCounts& counts) {
+  for (std::size_t k = 0; k < counts.by_others_at.size(); ++k)
+    if (counts.accepted_at[k] < counts.by_others_at[k]) counts.accepted_at[k] = 0;
+}
+
 // Ends and centre of the accepted poses on each axis, from how many are accepted at each of its values: whole numbers, whose order does not
 // matter.
 void place_ends(const Scan& scan, GridCounts& counts) {
-  if (counts.tally.accepted == 0) return;
+  const auto accepted = std::accumulate(counts.accepted_at.begin(), counts.accepted_at.end(), std::uint64_t{0});
+  if (accepted == 0) return;
   std::vector<std::vector<std::uint64_t>> at;
   for (const Axis& a : scan.points) at.emplace_back(a.count, 0);
   Tile whole{std::vector<std::size_t>(scan.points.size(), 0), {}};
@@ -160,7 +170,7 @@ void place_ends(const Scan& scan, GridCounts& counts) {
     counts.high.push_back(std::max(axis.value(first), axis.value(last)));
     double sum = 0;
     for (std::size_t k = first; k <= last; ++k) sum += static_cast<double>(at[a][k]) * axis.value(k);
-    counts.centroid.push_back(sum / static_cast<double>(counts.tally.accepted));
+    counts.centroid.push_back(sum / static_cast<double>(accepted));
   }
 }
 
@@ -187,6 +197,7 @@ GridCounts count_grid(const PoseSet& set, const Scan& scan, const GridOptions& o
     if (file && !kept) file->save(count.state());
     throw;
   }
+  demand_every(count.counts());
   place_ends(scan, count.counts());
   return std::move(count.counts());
 } catch (const std::bad_alloc&) {

@@ -21,7 +21,10 @@ struct GridOptions {
 // Of the accepted poses, coordinates as the scan has them: point axes, then turned inputs.
 struct GridCounts {
   Tally tally;
-  std::vector<std::uint32_t> accepted_at;    // of each point, the last axis fastest: how many orientations
+  std::vector<std::uint32_t> accepted_at;  // of each point, the last axis fastest: how many orientations
+  // Of each point: how many but for margins that must hold at every orientation; empty where there are none. The tally and the poses that
+  // are kept are of poses by themselves: they have those of a point at which another orientation fails such a margin.
+  std::vector<std::uint32_t> by_others_at;
   std::vector<double> low, high, centroid;   // of each point axis; empty when none is accepted
   std::uint64_t positive = 0, negative = 0;  // accepted poses by the sign
   // One bit a pose, point by point, orientations fastest, the lowest bit of a word first; empty unless kept, and without a sign. A pose

@@ -28,9 +28,9 @@ std::uint64_t poses_of(const Scan& scan) {
   return n;
 }
 
-std::size_t memory_needed(const PoseSet&, const Scan& scan, const GridOptions& options) {
+std::size_t memory_needed(const PoseSet& set, const Scan& scan, const GridOptions& options) {
   const std::uint64_t poses = poses_of(scan);
-  std::size_t bytes = scan.point_count() * sizeof(std::uint32_t);
+  std::size_t bytes = scan.point_count() * sizeof(std::uint32_t) * (set.late.every > 0 ? 2 : 1);
   if (options.keep_poses) bytes += (poses + 63) / 64 * sizeof(std::uint64_t) * (options.sign != nullptr ? 3 : 1);
   return bytes;
 }

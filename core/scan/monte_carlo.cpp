@@ -42,6 +42,7 @@ class Points {
       }
     points_.fill_up();
     accepted_.assign(count, 0);
+    by_others_.assign(count, 0);
     surely_.assign(count, 0);
     tally_ = empty_tally(plan_.set.size(), plan_.reasons);
   }
@@ -57,15 +58,16 @@ class Points {
     out.poses = points_.count;
     out.accepted = out.on_a_limit = 0;
     for (std::size_t k = 0; k < points_.count; ++k)
-      if (accepted_[k] >= need_) ++out.accepted, out.on_a_limit += surely_[k] < need_;
+      if (accepted_[k] >= need_ && accepted_[k] == by_others_[k]) ++out.accepted, out.on_a_limit += surely_[k] < need_;
     return out;
   }
 
  private:
   void take(const Accepted& a) {
     for (std::size_t i = 0; i < a.places.size(); ++i) {
-      ++accepted_[a.places[i]];
-      surely_[a.places[i]] += a.known[i] != is_on_a_limit;
+      ++by_others_[a.places[i]];
+      accepted_[a.places[i]] += a.known[i] > is_refused;
+      surely_[a.places[i]] += a.known[i] == is_kept;
     }
   }
 
@@ -73,7 +75,9 @@ class Points {
   const std::size_t need_;
   Judge judge_;
   PointBlock points_;
-  std::vector<std::size_t> accepted_, surely_;  // of each point: orientations; of these, such as are on no limit
+  // Of each point: orientations that are accepted; of these, such as are on no limit; that all margins accept but those that must hold at
+  // every orientation.
+  std::vector<std::size_t> accepted_, surely_, by_others_;
   Tally tally_;
 };
 

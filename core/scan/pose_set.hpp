@@ -15,6 +15,8 @@ namespace pmreport::scan {
 struct LateMargins {
   std::size_t size = 0;
   std::function<void(std::size_t count, const double* poses, double* out)> judge;
+  // The last so many must hold at every orientation of a point that all others accept; where they do not, none of it is accepted.
+  std::size_t every = 0;
 };
 
 // The poses whose margins are none negative. Margins stand in the order in which reasons are told; the first is the reach: where it is

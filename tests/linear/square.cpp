@@ -1,10 +1,12 @@
 #include <core/assertion.hpp>
 #include <core/linear/eigenvalues.hpp>
+#include <core/linear/inverses.hpp>
 #include <core/linear/square.hpp>
 #include <tests/linear/matrices.hpp>
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <vector>
 
 using namespace pmreport::linear;
 using Eigen::MatrixXd;
@@ -48,6 +50,37 @@ TEST_CASE("a positive definite system is solved, another one refused") {
   CHECK_FALSE(solution_of_positive_definite(two(1, 1, 1, 1), two(1, 1), 1e-13));    // singular
   CHECK_FALSE(solution_of_positive_definite(two(1, 2, 2, 1), two(1, 1), 1e-13));    // indefinite
   CHECK_FALSE(solution_of_positive_definite(two(1, 0.5, 0.5, 1), two(1, 1), 0.8));  // its pivots are 1 and 3/4
+}
+
+TEST_CASE("inverses of many matrices are those of each, whatever the number of them and the order of their rows") {
+  pmreport::test::Matrices random(17);
+  for (const std::size_t count : {1, 3, 8, 61}) {
+    std::vector<Matrix6d> matrices;
+    std::vector<double> in(36 * count), out(36 * count);
+    for (std::size_t k = 0; k < count; ++k) {
+      Matrix6d m = random(6, 6);
+      if (k % 2 == 0) m = MatrixXd::Identity(6, 6).rowwise().reverse() + 0.1 * m;  // rows change places
+      if (k % 3 == 0) m(0, 0) = 0;
+      for (Eigen::Index e = 0; e < 36; ++e) in[static_cast<std::size_t>(e) * count + k] = m(e / 6, e % 6);
+      matrices.push_back(m);
+    }
+    inverses(count, in.data(), out.data());
+    for (std::size_t k = 0; k < count; ++k) {
+      Matrix6d inverse;
+      for (Eigen::Index e = 0; e < 36; ++e) inverse(e / 6, e % 6) = out[static_cast<std::size_t>(e) * count + k];
+      // Rounding is multiplied by the condition number.
+      const double size = inverse.norm() * matrices[k].norm();
+      CHECK((matrices[k] * inverse - MatrixXd::Identity(6, 6)).norm() < 1e-14 * size);
+    }
+  }
+}
+
+TEST_CASE("a matrix without an inverse has no finite one among those of others") {
+  std::vector<double> in(72, 0.0), out(72);
+  for (std::size_t i = 0; i < 6; ++i) in[2 * 7 * i] = 2.0;  // the first is twice the unit matrix, the second zero
+  inverses(2, in.data(), out.data());
+  CHECK(out[0] == 0.5);
+  CHECK_FALSE(std::isfinite(out[1]));
 }
 
 TEST_CASE("a matrix that is not square has no inverse") { CHECK_THROWS_AS(inverse(SmallMatrix::Ones(2, 3)), pmreport::AssertionFailed); }

@@ -137,7 +137,8 @@ TEST_CASE("all processors give the same bits") {
     for (int same = 0; same < 8; ++same) {
       const bool of_masks = o >= static_cast<int>(Operation::both) && o <= static_cast<int>(Operation::choose);
       const int first = of_masks ? 3 : 0, second = of_masks && o != static_cast<int>(Operation::choose) ? 3 : 1;
-      const program::BlockStep step{static_cast<Operation>(o), 4, first, second, 2, (same & 1) != 0, (same & 2) != 0, (same & 4) != 0};
+      const program::BlockStep step{program::Fused::none, static_cast<Operation>(o), 4, first, second, 2, (same & 1) != 0, (same & 2) != 0,
+                                    (same & 4) != 0};
       std::vector<double> expected(count);
       for (std::size_t k = 0; k < kernels.size(); ++k) {
         std::vector<double> out(count);
@@ -145,6 +146,31 @@ TEST_CASE("all processors give the same bits") {
         kernels[k](std::span(&step, 1), table, count);
         if (k == 0) expected = out;
         CAPTURE(program::name_of(step.operation), same, k);
+        CHECK(std::ranges::equal(out, expected, same_bits));
+      }
+    }
+}
+
+TEST_CASE("a product that is added at once rounds twice, as two steps do, on all processors") {
+  using program::Fused;
+  Random random(45);
+  constexpr std::size_t count = 77;
+  std::vector<std::vector<double>> arrays;
+  for (int i = 0; i < 3; ++i) arrays.push_back(poses(random, count));
+  for (const Fused fused : {Fused::added, Fused::subtracted, Fused::subtracted_from})
+    for (int same = 0; same < 8; ++same) {
+      const program::BlockStep step{fused, Operation::add, 3, 0, 1, 2, (same & 1) != 0, (same & 2) != 0, (same & 4) != 0};
+      std::vector<double> expected(count);
+      for (std::size_t k = 0; k < count; ++k) {
+        const double a = arrays[0][(same & 1) != 0 ? 0 : k], b = arrays[1][(same & 2) != 0 ? 0 : k], c = arrays[2][(same & 4) != 0 ? 0 : k];
+        const double product = b * c;
+        expected[k] = fused == Fused::added ? a + product : fused == Fused::subtracted ? a - product : product - a;
+      }
+      for (const program::BlockKernel kernel : program::block_kernels()) {
+        std::vector<double> out(count);
+        double* table[] = {arrays[0].data(), arrays[1].data(), arrays[2].data(), out.data()};
+        kernel(std::span(&step, 1), table, count);
+        CAPTURE(static_cast<int>(fused), same);
         CHECK(std::ranges::equal(out, expected, same_bits));
       }
     }

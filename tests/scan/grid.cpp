@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -56,6 +57,45 @@ TEST_CASE("a grid is counted as its poses one by one, with and without pruning, 
   }
   CHECK(accepted > 3000);
   CHECK(on_a_limit > 100);
+}
+
+TEST_CASE("a point has no accepted orientation where one that the others accept fails a margin for every orientation") {
+  constexpr std::uint64_t seed = 72;
+  Random random(seed);
+  scan::PoseSet both = three_legs(), others = both;
+  both.late = late_margins();
+  both.rounding.insert(both.rounding.end(), {1e-12, 0.0});
+  others.late = {1, [judge = late_margins().judge](std::size_t count, const double* poses, double* out) {
+                   std::vector<double> all(2 * count);
+                   judge(count, poses, all.data());
+                   std::copy_n(all.begin(), count, out);
+                 }};
+  others.rounding.push_back(1e-12);
+  std::size_t emptied = 0, kept = 0;
+  for (int trial = 0; trial < 8; ++trial) {
+    const scan::Scan s = any_scan(random, true);
+    const GridCounts alone = brute_force(both, s, {}), before = brute_force(others, s, {});
+    scan::PoseSet set = both;
+    set.late.every = 1;
+    for (const bool reasons : {true, false}) {
+      GridOptions options;
+      options.reasons = reasons;
+      const GridCounts counts = count_grid(set, s, options);
+      CAPTURE(seed, trial, reasons);
+      CHECK(counts.tally.accepted == alone.tally.accepted);
+      CHECK(counts.tally.on_a_limit == alone.tally.on_a_limit);
+      if (reasons) CHECK(counts.tally.any == alone.tally.any);
+      CHECK((counts.by_others_at == before.accepted_at));
+      std::vector<std::uint32_t> expected = alone.accepted_at;
+      for (std::size_t k = 0; k < expected.size(); ++k) {
+        if (expected[k] < before.accepted_at[k]) expected[k] = 0, ++emptied;
+        kept += expected[k] > 0;
+      }
+      CHECK((counts.accepted_at == expected));
+    }
+  }
+  CHECK(emptied > 100);
+  CHECK(kept > 100);
 }
 
 TEST_CASE("a large shell is counted alike by one thread and two, with and without pruning") {

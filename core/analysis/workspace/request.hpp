@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,9 @@ struct WorkspaceRequest {
   std::string name = "workspace";                      // of what a long scan keeps on disk
   std::vector<ScanMethod> methods{ScanMethod::proof};  // each once; the first gives the volume that is told
   std::vector<ScanRange> scan;                         // one coordinate or more
-  Eigen::VectorXd at;                                  // coordinates that are not scanned; of no size: home
+  Eigen::VectorXd at;                                  // coordinates that are not scanned; NaN, or of no size: home
+  // The point that is scanned in place of the platform's reference point, in the platform's axes [m]: coordinates of the place are its.
+  std::optional<Eigen::Vector3d> tool;
   mechanics::LimitChoice limits;
   // Orientations that are tried at each point: the product of ranges, or a list of poses of which only `turned` counts.
   std::vector<ScanRange> orientations;

@@ -1,13 +1,12 @@
 #include <core/mechanics/workspace/late_limits.hpp>
 
-#include <core/linear/square.hpp>
+#include <core/linear/inverses.hpp>
+#include <core/linear/types.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/singularity/singularity.hpp>
-#include <core/mechanics/workspace/limb_line.hpp>
+#include <core/mechanics/workspace/pressure.hpp>
 #include <core/program/batch.hpp>
-#include <core/program/derivative.hpp>
 
-#include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -23,47 +22,6 @@ using linear::Matrix6d;
 
 // Poses that are judged at a time: some hundred numbers of each stay in the second-level cache.
 constexpr std::size_t block = 128;
-
-struct Drive {
-  int near = 0, far = 0;  // joints at its ends
-};
-
-// The drives of all actuators; nothing where one is no telescopic drive.
-std::optional<std::vector<Drive>> drives_of(const Machine& machine, std::string* why) {
-  const Topology& t = machine.topology();
-  std::vector<Drive> out;
-  for (const Actuator& a : t.actuators) {
-    const Joint& slide = t.joints[static_cast<std::size_t>(a.joint)];
-    const int limb = t.bodies[static_cast<std::size_t>(slide.b)].limb;
-    const auto holds = [&](int joint, int body) {
-      const Joint& j = t.joints[static_cast<std::size_t>(joint)];
-      return j.a == body || j.b == body;
-    };
-    const std::optional<LimbLine> line = limb_line(machine, limb);
-    const auto between = [&](int from, int to) { return holds(line->from, from) && holds(line->to, to); };
-    const bool telescopic = slide.kind == JointKind::prismatic && line && limb == t.bodies[static_cast<std::size_t>(slide.a)].limb &&
-                            (between(slide.a, slide.b) || between(slide.b, slide.a));
-    if (!telescopic) {
-      if (why != nullptr) *why = fmt::format("the pressure angle of {} is not known: it is no drive along a limb that is a line", a.name);
-      return std::nullopt;
-    }
-    out.push_back({line->from, line->to});
-  }
-  return out;
-}
-
-// Outputs: the actuators, then of each drive its near and its far end, then the partials of all of these.
-program::Program motions_of_drives(const Machine& machine, const std::vector<Drive>& drives) {
-  const Layout& layout = machine.layout();
-  std::vector<int> outputs;
-  for (std::size_t i = 0; i < drives.size(); ++i) outputs.push_back(static_cast<int>(layout.actuator(static_cast<int>(i))));
-  for (const Drive& d : drives)
-    for (const int joint : {d.near, d.far})
-      for (int k = 0; k < 3; ++k) outputs.push_back(static_cast<int>(layout.joint(joint)) + k);
-  std::vector<int> by(static_cast<std::size_t>(machine.dof()));
-  std::iota(by.begin(), by.end(), 0);
-  return program::partials(machine.program()->slice(outputs), by);
-}
 
 program::Program wrenches_of(const Machine& machine) {
   std::vector<int> outputs(36);
@@ -106,8 +64,6 @@ class Batches {
 
 }  // namespace
 
-bool pressure_known(const Machine& machine, std::string* why) { return drives_of(machine, why).has_value(); }
-
 struct LateLimits::Work {
   struct Asked {
     enum class Of { reading, pressure, condition, compliance } of;
@@ -124,19 +80,18 @@ struct LateLimits::Work {
 
   const Machine& machine;
   std::vector<Asked> asked = {};
-  std::vector<Drive> drives = {};
-  Batches motions = {}, wrenches = {};
+  Batches cosines = {}, wrenches = {};
   double length = 0;
 
   std::size_t margins() const {
     std::size_t n = 0;
-    for (const Asked& a : asked) n += a.ends() * (a.of == Asked::Of::pressure ? drives.size() : 1);
+    for (const Asked& a : asked) n += a.ends() * (a.of == Asked::Of::pressure ? cosines.program().outputs().size() : 1);
     return n;
   }
   void judge(std::size_t count, const double* poses, double* out);
   void judge_block(std::size_t count, const double* poses, double* out);
   std::size_t pressures(std::size_t count, const double* poses, const Asked& a, double* out);
-  double index(const Asked& a, const Matrix6d& g) const;
+  double compliance(const Asked& a, const Matrix6d& inverse) const;
 };
 
 LateLimits::LateLimits(const Machine& machine) : work_(std::make_shared<Work>(machine)) {}
@@ -145,10 +100,7 @@ LateLimits::~LateLimits() = default;
 void LateLimits::add_reading(int reading, double min, double max) { work_->asked.push_back({Work::Asked::Of::reading, min, max, reading}); }
 
 void LateLimits::add_pressure(double min, double max) {
-  if (work_->drives.empty()) {
-    work_->drives = drives_of(work_->machine, nullptr).value_or(std::vector<Drive>());
-    work_->motions.of(motions_of_drives(work_->machine, work_->drives));
-  }
+  if (work_->cosines.program().outputs().empty()) work_->cosines.of(squared_pressure_cosines(work_->machine));
   work_->asked.push_back({Work::Asked::Of::pressure, min, max});
 }
 
@@ -167,41 +119,23 @@ std::function<void(std::size_t, const double*, double*)> LateLimits::judge() con
   return [work = work_](std::size_t count, const double* poses, double* out) { work->judge(count, poses, out); };
 }
 
-// By cosines: the angle is between 0 and 90 degrees. Gives how many margins were written.
+// By squares of cosines: the angle is between 0 and 90 degrees. Gives how many margins were written.
 std::size_t LateLimits::Work::pressures(std::size_t count, const double* poses, const Asked& a, double* out) {
-  const std::size_t n = drives.size(), values = n + 6 * n;
-  std::vector<double> numbers(motions.program().outputs().size() * count);
-  motions.run(count, poses, numbers.data());
-  const auto value = [&](std::size_t o, std::size_t k) { return numbers[o * count + k]; };
-  const auto partial = [&](std::size_t o, std::size_t by, std::size_t k) { return numbers[(values + o * n + by) * count + k]; };
-  for (std::size_t k = 0; k < count; ++k) {
-    // Of five freedoms the sixth row and column are those of the unit matrix, and stand aside.
-    Matrix6d rates = Matrix6d::Identity();
-    for (std::size_t r = 0; r < n; ++r)
-      for (std::size_t c = 0; c < n; ++c) rates(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = partial(r, c, k);
-    const Matrix6d moved = linear::inverse_of_jacobian(rates);
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t near = n + 6 * i, far = near + 3;
-      Eigen::Vector3d line, v = Eigen::Vector3d::Zero();
-      for (std::size_t x = 0; x < 3; ++x) {
-        line(static_cast<Eigen::Index>(x)) = value(far + x, k) - value(near + x, k);
-        for (std::size_t c = 0; c < n; ++c)
-          v(static_cast<Eigen::Index>(x)) +=
-              (partial(far + x, c, k) - partial(near + x, c, k)) * moved(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(i));
-      }
-      const double speed = v.norm(), cosine = speed > 0 ? std::abs(line.dot(v)) / (line.norm() * speed) : speed == 0 ? 0 : std::nan("");
-      if (a.lower()) out[a.ends() * i * count + k] = std::cos(a.min) - cosine;
-      if (a.upper()) out[(a.ends() * i + (a.lower() ? 1 : 0)) * count + k] = cosine - std::cos(a.max);
+  const std::size_t n = cosines.program().outputs().size();
+  std::vector<double> squares(n * count);
+  cosines.run(count, poses, squares.data());
+  const auto squared_cosine = [](double angle) { return std::cos(angle) * std::cos(angle); };
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < count; ++k) {
+      const double square = squares[i * count + k];
+      if (a.lower()) out[a.ends() * i * count + k] = squared_cosine(a.min) - square;
+      if (a.upper()) out[(a.ends() * i + (a.lower() ? 1 : 0)) * count + k] = square - squared_cosine(a.max);
     }
-  }
   return a.ends() * n;
 }
 
-double LateLimits::Work::index(const Asked& a, const Matrix6d& g) const {
-  if (!g.allFinite()) return std::nan("");
-  if (a.of == Asked::Of::condition) return conditioning(machine, g, length).condition();
-  const Matrix6d moved = linear::inverse_of_jacobian(g);
-  const auto actuated = moved.leftCols(static_cast<Eigen::Index>(machine.topology().actuators.size())).topRows<3>();
+double LateLimits::Work::compliance(const Asked& a, const Matrix6d& inverse) const {
+  const auto actuated = inverse.leftCols(static_cast<Eigen::Index>(machine.topology().actuators.size())).topRows<3>();
   return largest_singular_value(actuated * actuated.transpose() / a.drive_stiffness, a.horizontal);
 }
 
@@ -219,25 +153,34 @@ void LateLimits::Work::judge(std::size_t count, const double* poses, double* out
 
 void LateLimits::Work::judge_block(std::size_t count, const double* poses, double* out) {
   const auto n = static_cast<std::size_t>(machine.dof());
-  std::vector<double> q(n), rows;
+  std::vector<double> q(n), rows, inverses;
   if (!wrenches.program().outputs().empty()) {
     rows.resize(36 * count);
     wrenches.run(count, poses, rows.data());
   }
+  const auto matrix = [count](const std::vector<double>& entries, std::size_t k) {
+    Matrix6d m;
+    for (Eigen::Index e = 0; e < 36; ++e) m(e / 6, e % 6) = entries[static_cast<std::size_t>(e) * count + k];
+    return m;
+  };
   for (const Asked& a : asked) {
     if (a.of == Asked::Of::pressure) {
       out += pressures(count, poses, a, out) * count;
       continue;
     }
+    if (a.of == Asked::Of::compliance && inverses.empty()) {
+      inverses.resize(36 * count);
+      linear::inverses(count, rows.data(), inverses.data());
+    }
     for (std::size_t k = 0; k < count; ++k) {
       double value = std::nan("");
-      if (a.of == Asked::Of::reading) {
+      if (a.of == Asked::Of::compliance) {
+        value = compliance(a, matrix(inverses, k));
+      } else if (a.of == Asked::Of::condition) {
+        if (const Matrix6d g = matrix(rows, k); g.allFinite()) value = conditioning(machine, g, length).condition();
+      } else {
         for (std::size_t i = 0; i < n; ++i) q[i] = poses[i * count + k];
         if (const Pose pose = machine.pose(q); pose.status == PM_OK) value = machine.readings(q, pose)[static_cast<std::size_t>(a.reading)];
-      } else {
-        Matrix6d g;
-        for (Eigen::Index e = 0; e < 36; ++e) g(e / 6, e % 6) = rows[static_cast<std::size_t>(e) * count + k];
-        value = index(a, g);
       }
       if (a.lower()) out[k] = value - a.min;
       if (a.upper()) out[(a.lower() ? count : 0) + k] = a.max - value;

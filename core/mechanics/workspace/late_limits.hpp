@@ -1,11 +1,4 @@
-// Limits on what no program gives: readings of the source, pressure angles, condition numbers.
-//
-// The output twist of actuator i is the platform's twist where it moves with unit rate and all others are held. With the actuators' values
-// r(q), A = dr/dq, the coordinates then move with column i of A^-1. The pressure angle of a telescopic drive is the acute angle between its
-// line f and the velocity v, under that twist, of the joint at its far end from that at its near end, which of a leg on the base stands
-// still:
-//     cos = |f . v| / |v|,   0 where v = 0
-// (Glazunov et al. 2008; definitions of transmission as in Takeda and Funabashi 1995).
+// Limits on what no program gives, or none over a box of poses: readings of the source, pressure angles, condition numbers.
 //
 // With J the columns of G^-1 that belong to actuators, t = J r', a wrench W on the platform meets the drives with J^T W, which yield by it
 // over their stiffness k, and the platform with them: the compliance is J J^T / k, and the largest displacement by a force is the largest
@@ -20,9 +13,6 @@
 #include <vector>
 
 namespace pmreport::mechanics {
-
-// Whether every actuator is a telescopic drive of a limb that is a line; else `why` gets a sentence.
-bool pressure_known(const Machine& machine, std::string* why = nullptr);
 
 class LateLimits {
  public:

@@ -24,6 +24,14 @@ Recorded at_least(const Recorded& s, const Recorded& c, double min) {
   return min <= 0 ? most_of(s, beyond) : least_of(s, beyond);
 }
 
+// The same where s is the root of `square`, and so never negative, by squares: x |x| rises with x. The limit is to lie where both cosine
+// and sine of it count.
+bool tells_by_squares(double end) { return end > 0 && end < std::numbers::pi && std::sin(end) > 0.05 && std::abs(std::cos(end)) > 0.05; }
+Recorded beyond_by_squares(const Recorded& square, const Recorded& c, double end) {
+  const double by_sine = std::sin(end), by_cosine = std::cos(end);
+  return square * (by_cosine * std::abs(by_cosine)) - c * abs(c) * (by_sine * by_sine);
+}
+
 double scale_of(double end) { return std::max(1.0, std::abs(end)); }
 
 }  // namespace
@@ -101,8 +109,14 @@ void MarginRecorder::add_output(PoseLimit asked, std::size_t o) {
     const auto within = [&](double end) { return !std::isfinite(end) || std::abs(end) < pi; };
     if (within(least) && within(most)) {
       // The margins stay those of the value: what breaks its lower end comes first.
+      const program::Step& root = step(angle->sine);
       const auto end = [&](bool upper_end) {
         const bool of_most = upper_end == (angle->sign > 0);
+        if (const double at = of_most ? most : least; root.operation == Operation::sqrt && tells_by_squares(at)) {
+          const Recorded beyond = beyond_by_squares(recorder_.step(root.a), c, at);
+          margin(limit, upper_end, of_most ? -beyond : beyond, 2 * digits * std::sin(at) * std::abs(std::cos(at)));
+          return;
+        }
         margin(limit, upper_end, of_most ? at_least(-sine, c, -most) : at_least(sine, c, least), digits);
       };
       if (lower) end(false);

@@ -9,7 +9,9 @@
 // joined, by another:
 //     min <= 0:  s >= 0  or   s cos min - c sin min >= 0         the larger of the two
 //     min > 0:   s >= 0  and  s cos min - c sin min >= 0         the smaller
-// and v <= max is -v >= -max. Each is negative where the limit is broken, and zero only on it and, for min <= 0, nowhere else.
+// and v <= max is -v >= -max. Where s is a root, s = sqrt(r), v lies within 0 and pi, and squares tell the same without it:
+//     v >= min:   r cos min |cos min| - c |c| sin^2 min >= 0      of both signs for max
+// Each is negative where the limit is broken, and zero only on it and, for min <= 0, nowhere else.
 #pragma once
 
 #include <core/mechanics/workspace/pose_limits.hpp>

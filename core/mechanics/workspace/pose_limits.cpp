@@ -6,6 +6,7 @@
 #include <core/mechanics/workspace/late_limits.hpp>
 #include <core/mechanics/workspace/limb_line.hpp>
 #include <core/mechanics/workspace/margin_recorder.hpp>
+#include <core/mechanics/workspace/pressure.hpp>
 #include <core/mechanics/workspace/segments.hpp>
 
 #include <fmt/format.h>

@@ -184,15 +184,16 @@ void Judge::pass_on(std::size_t stage, const Waiting& from, std::size_t k, Tally
   if (w.count == most) drain(stage, tally);
 }
 
-// What a program reads of poses that wait, into in_.
-void Judge::gather(const Waiting& w, std::span<const int> inputs) {
+// What a program reads of poses that wait, into in_; behind the last stands some number.
+void Judge::gather(const Waiting& w, std::size_t stride, std::span<const int> inputs) {
   const std::size_t n = w.count;
   for (const int i : inputs) {
-    double* to = in_.data() + static_cast<std::size_t>(i) * n;
+    double* to = in_.data() + static_cast<std::size_t>(i) * stride;
     if (i < 64 && (plan_.point_inputs >> i & 1) != 0)
       std::copy_n(w.points.data() + plan_.slot_of(i) * most, n, to);
     else
       for (std::size_t k = 0; k < n; ++k) to[k] = w.others[k][i];
+    std::fill(to + n, to + stride, to[n - 1]);
   }
 }
 
@@ -202,10 +203,11 @@ void Judge::drain(std::size_t stage, Tally& tally) {
   if (stage > plan_.stages.size()) return accept(tally);
   Waiting& w = waiting_[stage];
   const Stage& s = plan_.stages[stage];
-  values_.resize(std::max(values_.size(), s.margins.size() * w.count));
-  gather(w, inputs_of_[stage]);
-  loose_[stage].run(w.count, in_.data(), values_.data());
-  judge_kernel().judge(s.margins.size(), s.slack.data(), w.count, values_.data(), w.known.data());
+  const std::size_t stride = PointBlock::stride_of(w.count);
+  values_.resize(std::max(values_.size(), s.margins.size() * stride));
+  gather(w, stride, inputs_of_[stage]);
+  loose_[stage].run(stride, in_.data(), values_.data());
+  judge_kernel().judge(s.margins.size(), s.slack.data(), stride, values_.data(), w.known.data());
   for (std::size_t k = 0; k < w.count; ++k)
     if (w.known[k] > is_refused) pass_on(next(stage + 1, w.open[k]), w, k, tally);
   w.count = 0;
@@ -218,17 +220,19 @@ void Judge::drain_late(Tally& tally) {
   if (late > 0 && n > 0) {
     std::vector<int> all(plan_.scan.at.size());
     std::iota(all.begin(), all.end(), 0);
-    gather(w, all);
+    gather(w, n, all);
     values_.resize(std::max(values_.size(), late * n));
     plan_.set.late.judge(n, in_.data(), values_.data());
     for (std::size_t l = 0; l < late; ++l) {
+      if (l == late - plan_.set.late.every) by_others_ = w.known;
       const std::size_t m = plan_.margins + l;
       const Refusals r = judge_kernel().explain(plan_.set.rounding[m], n, values_.data() + l * n, w.known.data());
       if (plan_.reasons) tally.any[m] += r.any, tally.first[m] += r.first;
     }
   }
+  const Numbers& passed = plan_.set.late.every > 0 ? by_others_ : w.known;
   for (std::size_t k = 0; k < n; ++k)
-    if (w.known[k] > is_refused) pass_on(plan_.stages.size() + 1, w, k, tally);
+    if (passed[k] > is_refused) pass_on(plan_.stages.size() + 1, w, k, tally);
   w.count = 0;
 }
 
@@ -237,11 +241,10 @@ void Judge::accept(Tally& tally) {
   const std::size_t n = w.count;
   signs_.resize(plan_.sign.outputs().size() * n);
   if (!signs_.empty()) {
-    gather(w, inputs_of_.back());
+    gather(w, n, inputs_of_.back());
     loose_.back().run(n, in_.data(), signs_.data());
   }
-  tally.accepted += n;
-  for (std::size_t k = 0; k < n; ++k) tally.on_a_limit += w.known[k] == is_on_a_limit;
+  for (std::size_t k = 0; k < n; ++k) tally.accepted += w.known[k] > is_refused, tally.on_a_limit += w.known[k] == is_on_a_limit;
   accepted_({{w.places.data(), n}, {w.turns.data(), n}, {w.known.data(), n}, signs_});
   w.count = 0;
 }

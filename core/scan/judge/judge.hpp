@@ -5,6 +5,8 @@
 #include <core/scan/judge/plan.hpp>
 #include <core/scan/tally.hpp>
 
+#include <tbb/cache_aligned_allocator.h>
+
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -12,21 +14,25 @@
 
 namespace pmreport::scan {
 
+// On the borders of cache lines: a vector across one costs twice.
+using Numbers = std::vector<double, tbb::cache_aligned_allocator<double>>;
+
 // What is known beforehand of a margin at all poses of a block.
 enum class Verdict : std::uint8_t { open, kept, refused };
 
 // Poses that were accepted, in no order that means anything.
 struct Accepted {
   std::span<const std::uint32_t> places, turns;  // as they were given to the judge
-  std::span<const double> known;                 // is_on_a_limit or is_kept (kernel.hpp)
-  std::span<const double> signs;                 // of the plan's sign program; empty where there is none
+  // is_on_a_limit or is_kept (kernel.hpp); is_refused: only by a margin that must hold at every orientation of a point.
+  std::span<const double> known;
+  std::span<const double> signs;  // of the plan's sign program; empty where there is none
 };
 
 // Points that are judged at one orientation after the other. Point k has the value values[s * stride + k] of the input in slot s
 // (Plan::slots). The stride is a multiple of `lanes`, and what stands behind the last point is some point too.
 struct PointBlock {
   std::size_t count = 0, stride = 0;
-  std::vector<double> values;
+  Numbers values;
   std::vector<std::uint32_t> places;  // by which an accepted pose is told
 
   static constexpr std::size_t lanes = 8;
@@ -63,10 +69,10 @@ class Judge {
   // Poses before a stage, of any orientation.
   struct Waiting {
     std::size_t count = 0;
-    std::vector<double> points;  // slot after slot, `most` each
+    Numbers points;  // slot after slot, `most` each
     std::vector<const double*> others;
     std::vector<std::uint32_t> places, turns;
-    std::vector<double> known;
+    Numbers known;
     std::vector<std::uint64_t> open;  // stages: a bit each
   };
   static constexpr std::size_t most = 1024;  // that wait before one stage
@@ -81,7 +87,7 @@ class Judge {
   void drain(std::size_t stage, Tally& tally);
   void drain_late(Tally& tally);
   void accept(Tally& tally);
-  void gather(const Waiting& w, std::span<const int> inputs);
+  void gather(const Waiting& w, std::size_t stride, std::span<const int> inputs);
 
   const Plan& plan_;
   const std::function<void(const Accepted&)> accepted_;
@@ -90,12 +96,13 @@ class Judge {
   std::vector<std::vector<int>> inputs_of_;  // of each of these: what it reads
   std::vector<Verdict> verdicts_;
   std::uint64_t open_ = 0;              // stages
-  std::vector<double> values_;          // margins of a stage
-  std::vector<double> points_, known_;  // of the poses that are left
+  Numbers values_;                      // margins of a stage
+  Numbers points_, known_;              // of the poses that are left
   std::vector<std::uint32_t> numbers_;  // of each, within its block
   std::vector<std::uint32_t> stood_;    // where those that are left stood
   std::vector<Waiting> waiting_;        // before each stage, before the late margins, and accepted ones
-  std::vector<double> in_, signs_;
+  Numbers in_, by_others_;
+  std::vector<double> signs_;
   const double* others_ = nullptr;
   const PointBlock* block_ = nullptr;
 };

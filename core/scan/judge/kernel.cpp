@@ -1,5 +1,7 @@
 #include <core/scan/judge/kernel.hpp>
 
+#include <core/vectors.hpp>
+
 #include <algorithm>
 
 namespace pmreport::scan {
@@ -75,12 +77,8 @@ namespace {
 const JudgeKernel& judge_kernel() {
   static const JudgeKernel kernel = [] {
 #if defined(__x86_64__)
-    const bool v3 =
-        __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
-    const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
-                    __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-    if (v4) return JudgeKernel{judge_v4, explain_v4};
-    if (v3) return JudgeKernel{judge_v3, explain_v3};
+    if (vector_level() >= 4) return JudgeKernel{judge_v4, explain_v4};
+    if (vector_level() >= 3) return JudgeKernel{judge_v3, explain_v3};
 #endif
     return JudgeKernel{judge_plain, explain_plain};
   }();

@@ -13,7 +13,7 @@ namespace pmreport::scan {
 
 namespace {
 
-constexpr std::size_t looked_at = 2048;  // poses of the range that the order of margins and the weights are taken from
+constexpr std::size_t looked_at = 16384;  // poses of the range that the order of margins and the weights are taken from
 
 void demand_fit(const PoseSet& set, const Scan& scan, const program::Program* sign) {
   const auto refuse = [](const std::string& why) { throw std::invalid_argument(why); };
@@ -34,23 +34,6 @@ void demand_fit(const PoseSet& set, const Scan& scan, const program::Program* si
   for (const std::vector<double>& o : scan.orientations)
     if (o.size() != scan.turned.size())
       refuse(fmt::format("an orientation has {} values for {} coordinates", o.size(), scan.turned.size()));
-}
-
-// The margins, and the sign behind them.
-program::Program with_sign(const program::Program& margins, const program::Program* sign) {
-  if (sign == nullptr) return margins;
-  std::vector<program::Step> steps(margins.steps().begin(), margins.steps().end());
-  std::vector<int> outputs(margins.outputs().begin(), margins.outputs().end());
-  const int shift = static_cast<int>(steps.size());
-  for (program::Step s : sign->steps()) {
-    const int n = program::operands_of(s.operation);
-    if (n > 0) s.a += shift;
-    if (n > 1) s.b += shift;
-    if (n > 2) s.c += shift;
-    steps.push_back(s);
-  }
-  outputs.push_back(sign->outputs().front() + shift);
-  return program::Program(steps, margins.inputs(), outputs);
 }
 
 // Places of poses in the range, spread evenly: multiples of irrational numbers, less their whole parts.
@@ -120,7 +103,7 @@ Plan::Plan(const PoseSet& of_set, const Scan& of_scan, bool with_reasons, const 
   for (const Axis& a : scan.points) point_inputs |= std::uint64_t{1} << a.input;
   for (const Axis& a : scan.points) slots.push_back(slot_of(a.input));
 
-  program::Split two = program::split(with_sign(set.margins, sign_program), point_inputs);
+  program::Split two = program::split(sign_program != nullptr ? program::joined(set.margins, *sign_program) : set.margins, point_inputs);
   outer = std::move(two.outer);
   inner = std::move(two.inner);
   if (sign_program != nullptr) {

@@ -1,5 +1,7 @@
 #include <core/scan/judge/walk.hpp>
 
+#include <core/scan/judge/kernel.hpp>
+
 #include <algorithm>
 #include <utility>
 
@@ -8,7 +10,7 @@ namespace pmreport::scan {
 namespace {
 
 constexpr std::size_t together = 64;       // blocks that intervals look at in one call
-constexpr std::size_t fewest = 512;        // poses of a block that is not halved any more
+constexpr std::size_t fewest = 1024;       // poses of a block that is not halved any more
 constexpr std::size_t fewest_points = 64;  // and points: fewer do not pay for what each orientation costs beside them
 constexpr std::size_t most_points = 4096;  // that are judged in one go: they stay in the second-level cache
 
@@ -43,7 +45,8 @@ Found Walk::run(const Tile& tile, const Orientations& orientations, int node) {
   orientations_ = &orientations;
   root_ = &tile;
   posed_.reset();
-  found_ = {empty_tally(plan_.set.size(), plan_.reasons), std::vector<std::uint32_t>(tile.size(), 0), 0, 0};
+  found_ = {empty_tally(plan_.set.size(), plan_.reasons), std::vector<std::uint32_t>(tile.size(), 0), {}, 0, 0};
+  if (plan_.set.late.every > 0) found_.by_others.resize(tile.size());
   numbers_.clear();
   if (bits_.accepted != nullptr)
     each_point(tile, [&](std::size_t, std::span<const std::size_t> at) { numbers_.push_back(whole_.place(at)); });
@@ -187,9 +190,12 @@ void Walk::judge(const Block& b) {
 
 void Walk::take(const Accepted& accepted) {
   const std::size_t orientations = plan_.scan.orientation_count();
-  for (const std::uint32_t place : accepted.places) ++found_.accepted[place];
+  for (std::size_t k = 0; k < accepted.places.size(); ++k) found_.accepted[accepted.places[k]] += accepted.known[k] > is_refused;
+  if (plan_.set.late.every > 0)
+    for (const std::uint32_t place : accepted.places) ++found_.by_others[place];
   if (!each_) return;
   for (std::size_t k = 0; k < accepted.places.size(); ++k) {
+    if (!(accepted.known[k] > is_refused)) continue;
     const double sign = accepted.signs.empty() ? 0.0 : accepted.signs[k];
     found_.positive += sign > 0;
     found_.negative += sign < 0;

@@ -17,6 +17,7 @@ namespace pmreport::scan {
 struct Found {
   Tally tally;
   std::vector<std::uint32_t> accepted;
+  std::vector<std::uint32_t> by_others;      // accepted but for margins that must hold at every orientation; empty where there are none
   std::uint64_t positive = 0, negative = 0;  // accepted poses by the sign
 };
 

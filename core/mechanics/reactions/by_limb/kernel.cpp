@@ -1,6 +1,7 @@
 #include <core/mechanics/reactions/by_limb/kernel.hpp>
 
 #include <core/mechanics/reactions/by_limb/solver.hpp>
+#include <core/vectors.hpp>
 
 namespace pmreport::mechanics {
 
@@ -36,13 +37,8 @@ DynamicsKernel DynamicsKernel::single() { return {1, solve_single}; }
 std::vector<DynamicsKernel> DynamicsKernel::all() {
   std::vector<DynamicsKernel> out{single(), {2, solve_plain}};
 #if defined(__x86_64__)
-  // By features: Clang 14 cannot be asked for levels.
-  const bool v3 =
-      __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
-  const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
-                  __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-  if (v3) out.push_back({4, solve_v3});
-  if (v4) out.push_back({8, solve_v4});
+  if (vector_level() >= 3) out.push_back({4, solve_v3});
+  if (vector_level() >= 4) out.push_back({8, solve_v4});
 #endif
   return out;
 }
