@@ -137,6 +137,9 @@ int limits(const Options& options, bool (*stop)()) {
       continue;
     }
     const std::vector<Side> sides = sides_of(w, *loaded.machine);
+    if (w.tool)
+      fmt::print("# Of the tool point, in the platform's axes at ({:.3f}, {:.3f}, {:.3f}) mm.\n", 1e3 * w.tool->at()(0),
+                 1e3 * w.tool->at()(1), 1e3 * w.tool->at()(2));
     if (options.format == "linuxcnc")
       print_linuxcnc(sides, *axes);
     else if (options.format == "klipper")

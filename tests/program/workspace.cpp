@@ -154,6 +154,43 @@ TEST_CASE("one coordinate alone may be scanned: where a leg meets its stroke is 
   CHECK(value(here, "volume_high") >= exact);
 }
 
+TEST_CASE("the workspace of a tool point at one orientation is that of the platform, moved with it") {
+  const Workshop here;
+  const std::string lines = "method = \"grid\"\nlimits = [\"strokes\"]\nat = { alpha = \"90 deg\" }\n";
+  REQUIRE(here.report(scenario("gough", lines + "scan = { x = [\"-1 m\", \"1 m\", 41], z = [\"0.2 m\", \"1.8 m\", 33] }\n")).status == 0);
+  const double accepted = value(here, "accepted"), left = value(here, "x_low"), lowest = value(here, "z_low");
+  REQUIRE(accepted > 100);
+  // Turned by 90 degrees about x the platform's y points up, and its z along -y: the tool is 100 mm higher, and y, held at home, is that of
+  // the tool, whose home is 100 mm from the platform's.
+  const Result result = here.report(
+      scenario("gough", lines + "tool = [\"0 mm\", \"100 mm\", \"-250 mm\"]\nscan = { x = [\"-1 m\", \"1 m\", 41], z = [\"0.3 m\", \"1.9 "
+                                "m\", 33] }\n"));
+  INFO(result.out << result.err);
+  REQUIRE(result.status == 0);
+  CHECK_THAT(bytes_of(here.report_folder() / "report.html"), Contains("tool point"));
+  const double moved = value(here, "accepted");
+  const std::string held = with(lines, {{"alpha = \"90 deg\"", "alpha = \"90 deg\", y = \"250 mm\""}});
+  REQUIRE(
+      here.report(scenario("gough", held + "tool = [\"0 mm\", \"100 mm\", \"-250 mm\"]\nscan = { x = [\"-1 m\", \"1 m\", 41], z = [\"0.3 "
+                                           "m\", \"1.9 m\", 33] }\n"))
+          .status == 0);
+  CHECK(value(here, "accepted") == accepted);
+  CHECK(value(here, "x_low") == Approx(left).margin(1e-12));
+  CHECK(value(here, "z_low") == Approx(lowest + 0.1).margin(1e-12));
+  CHECK(moved != accepted);
+}
+
+TEST_CASE("a tool point is told by three lengths, of a mechanism whose coordinates tell the platform's place") {
+  const Workshop here;
+  const Result two = here.report(scenario("gough", "tool = [\"0 mm\", \"1 mm\"]\n" + cube));
+  CHECK(two.status == 2);
+  CHECK_THAT(two.err, Contains("expected the tool point in the platform's axes") && Contains("tool = [\"0 mm\", \"0 mm\", \"-120 mm\"]"));
+  const Result dependent = here.report(scenario(
+      "4sps-spr", "tool = [\"0 mm\", \"0 mm\", \"10 mm\"]\nscan = { x = [\"-10 mm\", \"10 mm\"], z = [\"550 mm\", \"560 mm\"] }\n"));
+  CHECK(dependent.status == 2);
+  CHECK_THAT(dependent.err, Contains("no tool point can be scanned: the coordinates of 4sps-spr do not tell the place"));
+}
+
 TEST_CASE("a scan that was interrupted goes on where it stopped, to the same bytes") {
   const Workshop here;
   here.write("scenario.toml", long_scan);

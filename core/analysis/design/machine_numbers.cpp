@@ -16,15 +16,6 @@ namespace {
 
 using What = MachineNumber::What;
 
-// What the request holds at home of the machine that it was written for stays at home of this one.
-WorkspaceRequest moved_home(WorkspaceRequest r, const Eigen::VectorXd& from, const mechanics::Machine& machine) {
-  const Eigen::VectorXd home = machine.home();
-  if (r.at.size() != home.size() || from.size() != home.size()) return r;
-  for (Eigen::Index i = 0; i < home.size(); ++i)
-    if (r.at(i) == from(i)) r.at(i) = home(i);
-  return r;
-}
-
 std::optional<mechanics::Conditioning> at_home(const mechanics::Machine& m, double length) {
   const mechanics::Jacobian g = m.jacobian(m.home_pose());
   return g.known() ? std::optional(mechanics::conditioning(m, g.matrix, length)) : std::nullopt;
@@ -38,7 +29,7 @@ Judged judge(const mechanics::Machine& machine, const MachineStudy& study, const
   std::map<std::size_t, Workspace> done;
   for (const MachineNumber& n : study.numbers) {
     if (!n.of_workspace() || done.contains(n.workspace)) continue;
-    WorkspaceRequest request = moved_home(study.requests[n.workspace], study.home, machine);
+    WorkspaceRequest request = study.requests[n.workspace];
     // The volume alone is asked for; what ends by the clock would differ from run to run.
     request.safe = request.reasons = request.one_sheet = false;
     request.seconds = std::numeric_limits<double>::infinity();

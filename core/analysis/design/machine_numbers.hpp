@@ -30,9 +30,6 @@ struct MachineStudy {
   std::vector<MachineNumber> numbers;
   std::vector<WorkspaceRequest> requests;  // only those that numbers name are carried out
   double length = 1;                       // [m]; of all machines the same, or their numbers could not be compared
-  // Of the machine for which the requests were written: what they hold there stays at home of every other machine. Of no size: nothing
-  // does.
-  Eigen::VectorXd home;
 };
 
 // The volume with the bracket of a proof or the 95 % interval of random poses; a grid's as it was counted, with its resolution. Notes tell

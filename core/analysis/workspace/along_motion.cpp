@@ -16,9 +16,12 @@ BoundaryDistance distance_to_boundary(const Workspace& w, const mechanics::Machi
   program::Batch batch(program::partials(w.set.margins, by));
   const std::size_t margins = w.set.margins.outputs().size();
   std::vector<double> in(dof * samples), out((margins + margins * dof) * samples);
-  for (std::size_t k = 0; k < samples; ++k)
-    for (std::size_t i = 0; i < dof; ++i)
-      in[i * samples + k] = trajectory.value(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i));
+  for (std::size_t k = 0; k < samples; ++k) {
+    std::vector<double> q(dof);
+    for (std::size_t i = 0; i < dof; ++i) q[i] = trajectory.value(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i));
+    q = scanned_pose(w, q);
+    for (std::size_t i = 0; i < dof; ++i) in[i * samples + k] = q[i];
+  }
   batch.run(samples, in.data(), out.data());
 
   BoundaryDistance d{std::vector<double>(samples, std::nan("")), std::vector<int>(samples, -1)};

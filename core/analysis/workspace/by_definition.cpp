@@ -7,10 +7,12 @@
 #include <core/program/evaluate.hpp>
 
 #include <fmt/format.h>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace pmreport::analysis {
 
@@ -18,8 +20,8 @@ namespace {
 
 using mechanics::PoseLimit;
 
-// Values this near an end are left out: the two ways differ by rounding there.
-constexpr double near_an_end = 1e-9;
+// Values this near an end are left out: the two ways differ by rounding there, and pressure angles by what differences are good for.
+constexpr double near_an_end = 1e-9, near_a_pressure = 1e-6;
 // Of the poses around home, how far of the range they reach.
 constexpr double around_home = 0.15;
 
@@ -48,6 +50,11 @@ double segment_distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b, cons
   return out;
 }
 
+// What no other way is known for.
+bool judged_in_one_way(const PoseLimit& limit) {
+  return limit.group == PoseLimit::Group::condition || limit.group == PoseLimit::Group::compliance;
+}
+
 // The values of all limits at a pose that can be assembled, in their order but the reach; NaN: judged in one way only.
 class Values {
  public:
@@ -67,6 +74,10 @@ class Values {
         for (const auto& [a, b] : mechanics::pairs_of(machine_, *distance))
           out.push_back(segment_distance(centre(pose, a.low), centre(pose, a.high), centre(pose, b.low), centre(pose, b.high)));
     }
+    for (const bool every : {false, true})
+      for (const mechanics::AskedLimit& asked : w_.request.limits.asked)
+        if (std::holds_alternative<mechanics::AskedPressure>(asked.what) && asked.every == every)
+          std::ranges::copy(pressure_angles(q, pose), std::back_inserter(out));
     return out;
   }
   // The limits in the same order; those that are judged in one way only are in none.
@@ -74,7 +85,7 @@ class Values {
     std::vector<const PoseLimit*> out;
     using Group = PoseLimit::Group;
     for (const auto& groups :
-         {std::array{Group::strokes, Group::joints, Group::values}, std::array{Group::angles, Group::distances, Group::distances}})
+         {std::array{Group::strokes, Group::joints, Group::values}, std::array{Group::angles, Group::distances, Group::pressure}})
       for (const PoseLimit& l : w_.margins.limits)
         if (std::ranges::find(groups, l.group) != groups.end()) out.push_back(&l);
     return out;
@@ -107,6 +118,46 @@ class Values {
       }
   }
 
+  // By differences: the lines of the drives and the actuators' values a little to either side of the pose, one coordinate after the other.
+  std::vector<double> pressure_angles(std::span<const double> q, const mechanics::Pose& pose) const {
+    constexpr double step = 1e-5;  // [m], [rad]: of differences its square remains, and rounding over it
+    const Topology& t = machine_.topology();
+    const auto n = static_cast<Eigen::Index>(t.actuators.size());
+    std::vector<mechanics::LimbLine> lines;
+    for (const Actuator& a : t.actuators)
+      lines.push_back(
+          mechanics::limb_line(machine_, t.bodies[static_cast<std::size_t>(t.joints[static_cast<std::size_t>(a.joint)].b)].limb).value());
+    const auto numbers = [&](const mechanics::Pose& at) {
+      Eigen::VectorXd x(4 * n);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        const mechanics::LimbLine& line = lines[static_cast<std::size_t>(i)];
+        x(i) = at.numbers[machine_.layout().actuator(static_cast<int>(i))];
+        x.segment<3>(n + 3 * i) = centre(at, line.to) - centre(at, line.from);
+      }
+      return x;
+    };
+    Eigen::MatrixXd partials(4 * n, n);
+    for (Eigen::Index c = 0; c < n; ++c) {
+      std::array<Eigen::VectorXd, 2> sides;
+      for (const bool above : {false, true}) {
+        std::vector<double> there(q.begin(), q.end());
+        there[static_cast<std::size_t>(c)] += above ? step : -step;
+        const mechanics::Pose beside = machine_.pose(there);
+        if (beside.status != PM_OK) return std::vector<double>(static_cast<std::size_t>(n), std::nan(""));
+        sides[above ? 1 : 0] = numbers(beside);
+      }
+      partials.col(c) = (sides[1] - sides[0]) / (2 * step);
+    }
+    const Eigen::VectorXd here = numbers(pose);
+    const Eigen::MatrixXd moved = partials.bottomRows(3 * n) * partials.topRows(n).inverse();
+    std::vector<double> out;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Eigen::Vector3d line = here.segment<3>(n + 3 * i), v = moved.col(i).segment<3>(3 * i);
+      out.push_back(std::atan2(line.cross(v).norm(), std::abs(line.dot(v))));
+    }
+    return out;
+  }
+
   const Workspace& w_;
   const mechanics::Machine& machine_;
   mechanics::Closure closure_;
@@ -119,7 +170,7 @@ DefinitionCheck check_by_definition(const Workspace& w, const mechanics::Machine
   const Values values(w, machine);
   const std::vector<const PoseLimit*> limits = values.limits();
   for (const PoseLimit& l : w.margins.limits)
-    if (l.group == PoseLimit::Group::pressure || l.group == PoseLimit::Group::condition) out.not_looked_at.push_back(l.name);
+    if (judged_in_one_way(l)) out.not_looked_at.push_back(l.name);
   const std::vector<double> home = home_of(w, machine);
   const std::size_t recorded = w.set.margins.outputs().size();
   std::vector<double> margins(w.set.size());
@@ -138,14 +189,16 @@ DefinitionCheck check_by_definition(const Workspace& w, const mechanics::Machine
       const auto& o = w.scan.orientations[static_cast<std::size_t>(k) * 7919 % w.scan.orientations.size()];
       for (std::size_t i = 0; i < o.size(); ++i) q[static_cast<std::size_t>(w.scan.turned[i])] = o[i];
     }
-    const mechanics::Pose pose = machine.pose(q);
+    const std::vector<double> of_machine = machine_pose(w, q);
+    const mechanics::Pose pose = machine.pose(of_machine);
     bool accepted = pose.status == PM_OK, near = pose.status != PM_OK && pose.status != PM_UNREACHABLE;
     if (accepted) {
       near = pose.numbers[0] < near_an_end;
-      const std::vector<double> at = values.at(q, pose);
+      const std::vector<double> at = values.at(of_machine, pose);
       for (std::size_t l = 0; l < limits.size(); ++l) {
         const double min = limits[l]->min, max = limits[l]->max;
-        near = near || std::abs(at[l] - min) < near_an_end || std::abs(at[l] - max) < near_an_end || std::isnan(at[l]);
+        const double least = limits[l]->group == PoseLimit::Group::pressure ? near_a_pressure : near_an_end;
+        near = near || std::abs(at[l] - min) < least || std::abs(at[l] - max) < least || std::isnan(at[l]);
         accepted = accepted && at[l] >= min && at[l] <= max;
       }
     }
@@ -156,11 +209,10 @@ DefinitionCheck check_by_definition(const Workspace& w, const mechanics::Machine
     evaluator.run(q, {margins.data(), recorded});
     bool by_margins = true;
     for (std::size_t m = 0; m < recorded; ++m) by_margins = by_margins && margins[m] >= -w.set.rounding[m];
-    // A late limit on a reading is compared; the others are not looked at.
     if (by_margins && w.set.late.size > 0) {
       w.set.late.judge(1, q.data(), margins.data() + recorded);
       for (std::size_t m = recorded; m < margins.size(); ++m)
-        if (w.margins.limits[static_cast<std::size_t>(w.margins.margins[m].limit)].group == PoseLimit::Group::values)
+        if (!judged_in_one_way(w.margins.limits[static_cast<std::size_t>(w.margins.margins[m].limit)]))
           by_margins = by_margins && margins[m] >= -w.set.rounding[m];
     }
     ++out.poses;

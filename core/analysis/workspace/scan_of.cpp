@@ -15,6 +15,8 @@ std::size_t nearest(const scan::Axis& a, double x) {
   return static_cast<std::size_t>(std::clamp(k, 0.0, static_cast<double>(a.count - 1)));
 }
 
+std::vector<double> as_vector(const Eigen::VectorXd& q) { return {q.data(), q.data() + q.size()}; }
+
 std::string power(const std::string& unit, int n) { return n == 1 ? unit : unit + "^" + std::to_string(n); }
 
 }  // namespace
@@ -25,8 +27,11 @@ std::string unit_of_volume(int metres, int radians) {
   return out;
 }
 
-WorkspaceRequest completed(WorkspaceRequest request, const mechanics::Machine& machine) {
-  if (request.at.size() == 0) request.at = machine.home();
+WorkspaceRequest completed(WorkspaceRequest request, const std::vector<double>& home) {
+  const auto n = static_cast<Eigen::Index>(home.size());
+  if (request.at.size() == 0) request.at = Eigen::VectorXd::Constant(n, std::nan(""));
+  for (Eigen::Index i = 0; i < n; ++i)
+    if (std::isnan(request.at(i))) request.at(i) = home[static_cast<std::size_t>(i)];
   std::vector<ScanMethod> once;
   for (const ScanMethod m : request.methods)
     if (std::ranges::find(once, m) == once.end()) once.push_back(m);
@@ -45,7 +50,7 @@ scan::PoseSet set_of(const mechanics::PoseMargins& margins) {
   scan::PoseSet out;
   out.margins = margins.program;
   for (const mechanics::PoseMargin& m : margins.margins) out.rounding.push_back(m.rounding);
-  out.late = {margins.late, margins.judge_late};
+  out.late = {margins.late, margins.judge_late, margins.every};
   return out;
 }
 
@@ -89,11 +94,19 @@ std::string unit_of(const scan::Scan& scan, const mechanics::Machine& machine) {
   return unit_of_volume(metres, radians);
 }
 
+std::vector<double> machine_pose(const Workspace& w, std::span<const double> scanned) {
+  return w.tool ? w.tool->machine_pose(scanned) : std::vector<double>(scanned.begin(), scanned.end());
+}
+
+std::vector<double> scanned_pose(const Workspace& w, std::span<const double> of_machine) {
+  return w.tool ? w.tool->by_tool(of_machine) : std::vector<double>(of_machine.begin(), of_machine.end());
+}
+
 std::vector<double> home_of(const Workspace& w, const mechanics::Machine& machine) {
-  const Eigen::VectorXd home = machine.home();
+  const std::vector<double> home = scanned_pose(w, as_vector(machine.home()));
   std::vector<double> q = w.scan.at;
-  for (const scan::Axis& a : w.scan.points) q[static_cast<std::size_t>(a.input)] = home(a.input);
-  for (const int i : w.scan.turned) q[static_cast<std::size_t>(i)] = home(i);
+  for (const scan::Axis& a : w.scan.points) q[static_cast<std::size_t>(a.input)] = home[static_cast<std::size_t>(a.input)];
+  for (const int i : w.scan.turned) q[static_cast<std::size_t>(i)] = home[static_cast<std::size_t>(i)];
   return q;
 }
 
@@ -110,12 +123,12 @@ void judge_home(Workspace& w, const mechanics::Machine& machine) {
 }
 
 std::uint64_t nearest_to_home(const Workspace& w, const mechanics::Machine& machine) {
-  const Eigen::VectorXd home = machine.home();
+  const std::vector<double> home = scanned_pose(w, as_vector(machine.home()));
   std::uint64_t point = 0;
-  for (const scan::Axis& a : w.scan.points) point = point * a.count + nearest(a, home(a.input));
+  for (const scan::Axis& a : w.scan.points) point = point * a.count + nearest(a, home[static_cast<std::size_t>(a.input)]);
   std::uint64_t orientation = 0;
   for (const ScanRange& r : w.request.orientations)
-    orientation = orientation * r.count + nearest({r.coordinate, r.from, r.to, r.count}, home(r.coordinate));
+    orientation = orientation * r.count + nearest({r.coordinate, r.from, r.to, r.count}, home[static_cast<std::size_t>(r.coordinate)]);
   return point * w.scan.orientation_count() + orientation;
 }
 

@@ -8,7 +8,8 @@
 namespace pmreport::analysis {
 
 // With `at` at home where it has no size, at_least filled in (one and all where there are orientations), each method once.
-WorkspaceRequest completed(WorkspaceRequest request, const mechanics::Machine& machine);
+// `home`: of the scan.
+WorkspaceRequest completed(WorkspaceRequest request, const std::vector<double>& home);
 scan::PoseSet set_of(const mechanics::PoseMargins& margins);
 scan::Scan scan_of(const WorkspaceRequest& request, const mechanics::Machine& machine);
 std::string unit_of(const scan::Scan& scan, const mechanics::Machine& machine);  // "m^3", "m^2*rad"

@@ -56,29 +56,6 @@ scan::Watch watch_of(const Progress& progress, std::string what) {
   return out;
 }
 
-// The set without what must hold at every orientation, which its margins end with.
-scan::PoseSet without_every(const scan::PoseSet& set, std::size_t every) {
-  scan::PoseSet out = set;
-  out.rounding.resize(out.rounding.size() - every);
-  out.late.size -= every;
-  out.late.judge = [judge = set.late.judge, all = set.late.size, kept = out.late.size](std::size_t count, const double* poses, double* to) {
-    std::vector<double> margins(all * count);
-    judge(count, poses, margins.data());
-    std::copy_n(margins.begin(), kept * count, to);
-  };
-  if (out.late.size == 0) out.late = {};
-  return out;
-}
-
-// A point at which an orientation keeps all other limits and not those that must hold at every one has none that is accepted.
-void demand_every(Workspace& w, const scan::Watch& watch) {
-  scan::GridOptions options;
-  options.reasons = false;
-  w.by_other_limits = scan::count_grid(without_every(w.set, w.margins.every), w.scan, options, watch).accepted_at;
-  for (std::size_t k = 0; k < w.grid->accepted_at.size(); ++k)
-    if (w.grid->accepted_at[k] < w.by_other_limits[k]) w.grid->accepted_at[k] = 0;
-}
-
 void count_the_grid(Workspace& w, const mechanics::Machine& machine, const Progress& progress) {
   scan::GridOptions options;
   options.reasons = w.request.reasons;
@@ -86,6 +63,7 @@ void count_the_grid(Workspace& w, const mechanics::Machine& machine, const Progr
   program::Program sign;
   if (w.request.one_sheet) {
     sign = mechanics::determinant_program(machine);
+    if (w.tool) sign = w.tool->of_tool(sign);
     options.sign = &sign;
   }
   double poses = static_cast<double>(w.scan.orientation_count());
@@ -103,7 +81,6 @@ void count_the_grid(Workspace& w, const mechanics::Machine& machine, const Progr
   if (!progress.checkpoints.empty())
     options.checkpoint = scan::Checkpoint{progress.checkpoints / (w.request.name + ".scan"), progress.resume, hash_of(w, options)};
   w.grid = scan::count_grid(w.set, w.scan, options, watch_of(progress, "workspace, grid"));
-  if (w.margins.every > 0) demand_every(w, watch_of(progress, "workspace, every orientation"));
   std::vector<std::size_t> counts;
   for (const scan::Axis& a : w.scan.points) counts.push_back(a.count);
   w.components = scan::components(counts, w.grid->accepted_at);
@@ -166,11 +143,18 @@ void find_safe_poses(Workspace& w, const mechanics::Machine& machine, const Prog
 
 Workspace workspace(const mechanics::Machine& machine, const WorkspaceRequest& request, const Progress& progress) {
   Workspace w;
-  w.request = completed(request, machine);
   std::string why;
+  if (request.tool && !(w.tool = mechanics::ToolPoint::of(machine, *request.tool, &why)))
+    throw NoProgram("the workspace of a tool point cannot be scanned: " + why);
+  const Eigen::VectorXd home = machine.home();
+  w.request = completed(request, scanned_pose(w, {home.data(), static_cast<std::size_t>(home.size())}));
   const std::optional<mechanics::PoseMargins> margins = mechanics::pose_margins(machine, request.limits, &why);
   if (!margins) throw NoProgram("a workspace is scanned by the mechanism's recorded geometry, and there is none: " + why);
   w.margins = *margins;
+  if (w.tool) {
+    w.margins.program = w.tool->of_tool(w.margins.program);
+    w.margins.judge_late = w.tool->of_tool(w.margins.judge_late);
+  }
   w.set = set_of(w.margins);
   w.scan = scan_of(w.request, machine);
   w.unit = unit_of(w.scan, machine);

@@ -3,6 +3,7 @@
 
 #include <core/analysis/progress.hpp>
 #include <core/analysis/workspace/request.hpp>
+#include <core/mechanics/workspace/tool_point.hpp>
 #include <core/scan/components.hpp>
 #include <core/scan/field.hpp>
 #include <core/scan/grid.hpp>
@@ -11,6 +12,7 @@
 #include <core/scan/safe_poses.hpp>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,8 @@ namespace pmreport::analysis {
 
 struct Workspace {
   WorkspaceRequest request;  // as it was carried out: counts and poses filled in
+  // Margins, set and scan are of coordinates by the tool point, where there is one.
+  std::optional<mechanics::ToolPoint> tool;
   mechanics::PoseMargins margins;
   scan::PoseSet set;
   scan::Scan scan;
@@ -25,8 +29,6 @@ struct Workspace {
   bool home_inside = false;     // home, but for what `at` holds elsewhere, keeps every limit
   std::string home_refused_by;  // name of the first margin that it does not keep
   std::optional<scan::GridCounts> grid;
-  // Of each point of the grid, as many orientations as keep the limits that need not hold at every one; empty where there are no others.
-  std::vector<std::uint32_t> by_other_limits;
   std::optional<scan::Components> components;  // of the grid's points
   std::optional<scan::Sheet> sheet;
   std::optional<scan::ProvedVolume> proof;
@@ -39,12 +41,16 @@ struct Workspace {
   std::string not_proved;                // why a proof that was asked for was not made; empty: it was, or was not asked for
 };
 
+// Coordinates of the mechanism at a pose of the scan, and of the scan at a pose of the mechanism.
+std::vector<double> machine_pose(const Workspace& w, std::span<const double> scanned);
+std::vector<double> scanned_pose(const Workspace& w, std::span<const double> of_machine);
+
 // Cannot be done: too many poses, too much memory. The sentence says what would be needed, and what to do.
 struct ScanTooLarge : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The mechanism records no geometry.
+// The mechanism records no geometry, or its coordinates do not tell the place of a tool point.
 struct NoProgram : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

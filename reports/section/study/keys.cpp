@@ -104,7 +104,6 @@ std::vector<scenario::Key> study_keys() {
         volume.kind = Value::Kind::text, volume.text = "workspace.volume", volume.place = e.place;
         if (!read_studied_number(volume, r, options)) return;
       }
-      if (r.mechanism.machine) options.study.home = r.mechanism.machine->home();
       read(e, r, options);
     };
   };

@@ -24,7 +24,6 @@ Judged judge_variant(const Analysis& a, const StudyOptions& o, const StudiedVari
   analysis::MachineStudy study = study_of(a, o);
   study.requests = v.requests;
   const mechanics::Machine& origin = v.other ? *v.other->machine : a.machine();
-  study.home = origin.home();
   try {
     return analysis::judge(*origin.with(v.parameters), study, progress);
   } catch (const mechanics::MechanismError& e) {

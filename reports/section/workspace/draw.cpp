@@ -85,7 +85,11 @@ class Drawing {
     }
     if (options_.slices.empty()) return {middle};
     std::vector<std::vector<double>> out;
-    for (const Eigen::VectorXd& q : options_.slices) out.emplace_back(q.data(), q.data() + q.size());
+    for (const Eigen::VectorXd& q : options_.slices) {
+      out.push_back(middle);
+      for (std::size_t i = 0; i < middle.size(); ++i)
+        if (const double x = q(static_cast<Eigen::Index>(i)); !std::isnan(x)) out.back()[i] = x;
+    }
     return out;
   }
   std::string held_words(const std::vector<double>& at, std::size_t first, std::size_t second) const {
@@ -125,7 +129,7 @@ class Drawing {
       figure::Panel panel = slice_panel(field, coordinates, w_.margins.margins, told);
       panel.title = title;
       if (!options_.map.empty()) {
-        figure::Panel over = index_panel(field.axes, index_over(machine_, field, scan, options_.map), coordinates, {options_.map, ""});
+        figure::Panel over = index_panel(field.axes, index_over(machine_, w_, field, scan, options_.map), coordinates, {options_.map, ""});
         over.title = panel.title;
         over.named = panel.named;
         for (figure::NamedLine& line : over.named) line.label.clear();
@@ -209,7 +213,9 @@ class Drawing {
       ordered.push_back(context_.stage.picture(machine_, machine_.home_pose(), extras, bounds, view, id_ + "-" + view.name,
                                                fmt::format("Boundary of the workspace, the mechanism at home, {} view", view.name),
                                                {1200, 900, false, 2}));
-    document::Gallery gallery{{}, "The boundary of the workspace of the platform's reference point, with the mechanism inside."};
+    document::Gallery gallery{{},
+                              fmt::format("The boundary of the workspace of the {}, with the mechanism inside.",
+                                          w_.tool ? "tool point" : "platform's reference point")};
     for (Stage::Ordered& o : ordered) {
       context_.progress.stop_if_asked();
       gallery.pictures.push_back(o.wait());

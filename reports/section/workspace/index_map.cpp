@@ -9,8 +9,8 @@
 
 namespace pmreport::section {
 
-std::vector<double> index_over(const mechanics::Machine& machine, const scan::Field& field, const scan::Scan& scan,
-                               const std::string& index) {
+std::vector<double> index_over(const mechanics::Machine& machine, const analysis::Workspace& w, const scan::Field& field,
+                               const scan::Scan& scan, const std::string& index) {
   const double length = mechanics::characteristic_length(machine);
   std::vector<double> out = field.least();
   tbb::parallel_for(std::size_t{0}, out.size(), [&](std::size_t k) {
@@ -21,7 +21,7 @@ std::vector<double> index_over(const mechanics::Machine& machine, const scan::Fi
     std::size_t rest = k;
     for (std::size_t a = field.axes.size(); a-- > 0; rest /= field.axes[a].count)
       q[static_cast<std::size_t>(field.axes[a].input)] = field.axes[a].value(rest % field.axes[a].count);
-    const mechanics::Pose pose = machine.pose(q);
+    const mechanics::Pose pose = machine.pose(analysis::machine_pose(w, q));
     if (pose.status != PM_OK) return;
     const mechanics::Jacobian g = machine.jacobian(pose);
     if (!g.known()) return;

@@ -1,5 +1,6 @@
 #include <reports/section/workspace/keys.hpp>
 
+#include <core/mechanics/workspace/tool_point.hpp>
 #include <core/scenario/section/keys.hpp>
 
 #include <fmt/format.h>
@@ -130,10 +131,39 @@ void read_at_least(const Entry& e, const Reading& r, O& options) {
       add_once(options.request.at_least, static_cast<std::uint64_t>(*n), item, r.reader);
 }
 
+// What coordinates are held at; NaN of those that are not named.
+Eigen::VectorXd read_held(const Value& value, const char* where, const Reading& r) {
+  const auto pose = read_pose(value, where, r.mechanism, r.reader);
+  if (!pose) return {};
+  Eigen::VectorXd out = Eigen::VectorXd::Constant(pose->size(), std::nan(""));
+  for (const Entry& e : value.entries)
+    if (const int i = scenario::index_of(*r.mechanism.topology, e.key); i >= 0) out(i) = (*pose)(i);
+  return out;
+}
+
 void read_slices(const Entry& e, const Reading& r, O& options) {
   if (!r.mechanism.topology) return;
-  for (const Value& item : items_of(e, most_slices, r.reader))
-    options.slices.push_back(read_pose(item, "slices", r.mechanism, r.reader).value_or(Eigen::VectorXd()));
+  for (const Value& item : items_of(e, most_slices, r.reader)) options.slices.push_back(read_held(item, "slices", r));
+}
+
+void read_tool(const Entry& e, const Reading& r, O& options) {
+  if (e.value.kind == Value::Kind::refused) return;
+  if (e.value.kind != Value::Kind::array || e.value.items.size() != 3) {
+    r.reader.diagnostics().add(e.value.place, fmt::format("expected the tool point in the platform's axes, seen {}", name_of(e.value)),
+                               "write tool = [\"0 mm\", \"0 mm\", \"-120 mm\"]");
+    return;
+  }
+  Eigen::Vector3d at;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto x = r.reader.quantity(e.value.items[k], Dimension{1, 0, 0, 0});
+    if (!x) return;
+    at(static_cast<Eigen::Index>(k)) = *x;
+  }
+  std::string why;
+  if (r.mechanism.machine && !mechanics::ToolPoint::of(*r.mechanism.machine, at, &why))
+    r.reader.diagnostics().add(e.place, "no tool point can be scanned: " + why,
+                               "remove tool; the platform's reference point is scanned then");
+  options.request.tool = at;
 }
 
 void read_number_above_zero(const Entry& e, const Reading& r, const Dimension& dimension, double& to) {
@@ -194,9 +224,12 @@ std::vector<scenario::Key> workspace_keys() {
           "scan = { x = [\"-300 mm\", \"300 mm\", 61], y = [\"-300 mm\", \"300 mm\", 61] }"),
       keys::of<O>("at", Shape::values_of("coordinates"), "what the other coordinates are held at", "home",
                   [](const Entry& e, const Reading& r, O& options) {
-                    if (r.mechanism.topology)
-                      options.request.at = read_pose(e.value, "at", r.mechanism, r.reader).value_or(Eigen::VectorXd());
+                    if (r.mechanism.topology) options.request.at = read_held(e.value, "at", r);
                   }),
+      keys::late(keys::of<O>("tool", Shape::list(3, 3, Shape::quantity(Dimension{1, 0, 0, 0})),
+                             "a point of the platform, in its axes, that is scanned in place of its reference point: coordinates of the "
+                             "place are this point's",
+                             "the reference point", read_tool)),
       keys::of<O>("limits", Shape::list(0, 2, Shape::word(groups)), "groups of the mechanism's limits that count", "all", read_groups),
       keys::of<O>("limit", limit_shape(), "what a pose must keep besides", "none",
                   [](const Entry& e, const Reading& r, O& options) { options.request.limits.asked = read_asked_limits(e, r); }),
@@ -245,8 +278,7 @@ void complete_workspace(scenario::TableReader& table, const Reading& r, scenario
   for (const ScanRange& range : request.scan)
     if (range.from == range.to) {
       if (request.at.size() == 0) {
-        request.at.resize(static_cast<Eigen::Index>(coordinates.size()));
-        for (std::size_t i = 0; i < coordinates.size(); ++i) request.at(static_cast<Eigen::Index>(i)) = coordinates[i].home;
+        request.at = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(coordinates.size()), std::nan(""));
       }
       request.at(range.coordinate) = range.from;
     }

@@ -13,7 +13,7 @@ namespace pmreport::section {
 struct WorkspaceOptions : scenario::Options {
   std::string name;  // of this section among several, for checks and files; empty: it has none
   analysis::WorkspaceRequest request;
-  std::vector<Eigen::VectorXd> slices;  // poses whose coordinates are held in the slices; empty: one through home
+  std::vector<Eigen::VectorXd> slices;  // what coordinates are held at in the slices, NaN: home; empty: one through home
   std::string map;                      // an index shown over the slices: "condition" or "determinant"; empty: none
   bool pictures = true, exports = true;
 

@@ -101,18 +101,26 @@ figure::Panel slice_panel(const scan::Field& field, const std::array<Coordinate,
   map.classes = {"accepted"};
   for (const std::size_t m : told) map.classes.push_back(label_of(margins[m]));
   map.classes.push_back("other limits");
-  for (const double y : fine.y)
-    for (const double x : fine.x) {
-      const std::size_t m = refused_by(grid, values, grid.column(x), grid.row(y));
+  std::vector<double> columns, rows;
+  for (const double x : fine.x) columns.push_back(grid.column(x));
+  for (const double y : fine.y) rows.push_back(grid.row(y));
+  for (const double v : rows)
+    for (const double u : columns) {
+      const std::size_t m = refused_by(grid, values, u, v);
       const auto at = std::ranges::find(told, m);
       const auto number = at != told.end() ? at - told.begin() + 1 : static_cast<std::ptrdiff_t>(told.size()) + 1;
       map.values.push_back(m == 0 ? nan : m == margins.size() ? 0 : static_cast<double>(number));
     }
   panel.map = std::move(map);
   for (std::size_t m = 0; m < margins.size(); ++m) {
+    // What lies between numbers of one sign has that sign too.
+    if (std::ranges::none_of(values[m], [](double x) { return x <= 0; }) ||
+        std::ranges::none_of(values[m], [](double x) { return x >= 0; }))
+      continue;
     std::vector<double> finely;
-    for (const double y : fine.y)
-      for (const double x : fine.x) finely.push_back(grid.between(values[m], grid.column(x), grid.row(y)));
+    finely.reserve(columns.size() * rows.size());
+    for (const double v : rows)
+      for (const double u : columns) finely.push_back(grid.between(values[m], u, v));
     figure::NamedLine line = line_of(m, grid, fine, values, finely, label_of(margins[m]));
     if (!line.x.empty()) panel.named.push_back(std::move(line));
   }

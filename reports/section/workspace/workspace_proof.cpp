@@ -118,9 +118,9 @@ std::vector<document::Value> workspace_values(const Workspace& w, const mechanic
   for (std::size_t i = 0; i < w.request.at_least.size(); ++i) {
     const std::string n = std::to_string(w.request.at_least[i]);
     if (w.grid) put("points_with_at_least_" + n, "", points_at_least(w.request.at_least[i]));
-    if (!w.by_other_limits.empty())
+    if (!w.grid->by_others_at.empty())
       put("volume_at_least_" + n + "_by_other_limits", w.unit,
-          cell * number(analysis::points_with(w.by_other_limits, w.request.at_least[i])));
+          cell * number(analysis::points_with(w.grid->by_others_at, w.request.at_least[i])));
     put("volume_at_least_" + n, w.unit,
         i < w.proof_at_least.size() ? w.proof_at_least[i].volume.middle()
         : w.grid                    ? cell * points_at_least(w.request.at_least[i])

@@ -52,7 +52,12 @@ std::string scanned_words(const Workspace& w, const mechanics::Machine& machine)
   std::string out = "Scanned: " + listed(ranges, "and");
   if (!held.empty()) out += "; held: " + listed(held, "and");
   if (!w.scan.orientations.empty()) out += fmt::format("; at every point {} orientations are tried", count(w.scan.orientation_count()));
-  return out + ".";
+  out += ".";
+  if (w.tool) {
+    const auto r = [&](Eigen::Index k) { return show(w.tool->at()(k), "m"); };
+    out += fmt::format(" Coordinates of the place are those of the tool point, in the platform's axes at ({}, {}, {}).", r(0), r(1), r(2));
+  }
+  return out;
 }
 
 std::string limits_words(const Workspace& w) {
