@@ -3,6 +3,8 @@
 
 #include <core/mechanics/conformance/wrench_properties.hpp>
 
+#include <set>
+
 using namespace pmreport;
 using namespace pmreport::test;
 using Catch::Contains;
