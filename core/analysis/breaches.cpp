@@ -2,6 +2,7 @@
 
 #include <core/analysis/columns.hpp>
 #include <core/mechanics/machine/joint_words.hpp>
+#include <core/mechanics/model/joint_motion.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -28,9 +29,9 @@ std::vector<LimitBreach> find_breaches(const Topology& t, const ColumnStore& col
   };
   for (const Actuator& a : t.actuators) look(column_of(a), a.name + " (" + a.title + ")", a.unit, a.stroke, true);
   for (const Joint& j : t.joints) {
-    if (j.kind == JointKind::prismatic) continue;
     const std::string subject = "joint " + j.name + (j.from.isZero() ? "" : " (from " + mechanics::origin_of(t, j) + ")");
-    for (std::size_t i = 0; i < j.limits.size(); ++i) look(joint_column(j, i), subject, "rad", j.limits[i], false);
+    for (std::size_t i = 0; i < j.limits.size(); ++i)
+      if (mechanics::is_told(j, i)) look(joint_column(j, i), subject, mechanics::motion_unit(j), j.limits[i], false);
   }
   return out;
 }

@@ -1,6 +1,7 @@
 #include <core/analysis/columns.hpp>
 #include <core/mechanics/machine/joint_words.hpp>
 #include <core/mechanics/model/effort.hpp>
+#include <core/mechanics/model/joint_motion.hpp>
 #include <core/mechanics/workspace/limb_line.hpp>
 
 #include <fmt/core.h>
@@ -78,11 +79,12 @@ std::vector<Column> displacement_columns(const Topology& t) {
   add_actuators(out, t, OfMotion::value, "", "");
   for (const Reading& r : t.readings) out.push_back({column_of(r).name(), r.unit, "reading", r.title});
   for (const Joint& j : t.joints) {
-    if (j.kind == JointKind::prismatic) continue;
-    const bool ball = j.kind == JointKind::spherical;
+    const bool slide = j.kind == JointKind::prismatic;
+    const char* motion = slide ? "travel" : j.kind == JointKind::spherical ? "deflection" : "rotation";
     for (std::size_t k = 0; k < j.limits.size(); ++k)
-      out.push_back({joint_column(j, k).name(), "rad", "joint_angle",
-                     fmt::format("{} of joint {} from {}", ball ? "deflection" : "rotation", j.name, mechanics::origin_of(t, j))});
+      if (mechanics::is_told(j, k))
+        out.push_back({joint_column(j, k).name(), mechanics::motion_unit(j), slide ? "joint_travel" : "joint_angle",
+                       fmt::format("{} of joint {} from {}", motion, j.name, mechanics::origin_of(t, j))});
   }
   return out;
 }

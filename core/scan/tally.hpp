@@ -8,7 +8,7 @@ namespace pmreport::scan {
 
 struct Tally {
   std::uint64_t poses = 0, accepted = 0;
-  std::uint64_t on_a_limit = 0;  // accepted, or refused, by a margin that rounding decides
+  std::uint64_t on_a_limit = 0;  // accepted by a margin that rounding decides
   std::vector<std::uint64_t> first,
       any;  // one a margin: poses that it refuses first; that it refuses, whatever else does. Without reasons: empty
 

@@ -21,8 +21,13 @@ namespace {
 
 using analysis::Workspace;
 
-// Rounded towards home, so that what is printed is proved too.
-double inward(double x, double step, bool upper) { return (upper ? std::floor(x / step) : std::ceil(x / step)) * step; }
+// Rounded towards home, so that what is printed, in whole thousandths, is proved too.
+double inward(double x, bool upper) {
+  constexpr double parts = 1e3;
+  double whole = upper ? std::floor(x * parts) : std::ceil(x * parts);
+  while (upper ? whole / parts > x : whole / parts < x) whole += upper ? -1 : 1;
+  return whole / parts;
+}
 
 struct Side {
   const Coordinate* coordinate;
@@ -31,20 +36,20 @@ struct Side {
 };
 
 std::vector<Side> sides_of(const Workspace& w, const mechanics::Machine& machine) {
-  constexpr double step = 1e-3;  // a micrometre, a thousandth of a degree
   std::vector<Side> out;
   for (std::size_t i = 0; i < w.safe_axes.size(); ++i) {
     const Coordinate& c = machine.topology().coordinates[static_cast<std::size_t>(w.safe_axes[i].input)];
     const bool length = c.sense() == Sense::linear;
     const double per_si = length ? 1e3 : 180 / std::numbers::pi;
-    out.push_back({&c, inward(w.safe_box->sides[i].low * per_si, step, false), inward(w.safe_box->sides[i].high * per_si, step, true),
-                   length ? "mm" : "deg"});
+    out.push_back(
+        {&c, inward(w.safe_box->sides[i].low * per_si, false), inward(w.safe_box->sides[i].high * per_si, true), length ? "mm" : "deg"});
   }
   return out;
 }
 
-void print_toml(const Workspace& w, const std::vector<Side>& sides) {
-  fmt::print("[safe_limits]  # every pose with all coordinates within these keeps all limits; proved\n");
+// Sections after the first have their names, so that all of them are one table.
+void print_toml(const Workspace& w, const std::vector<Side>& sides, const std::string& name) {
+  fmt::print("[safe_limits{}]  # every pose with all coordinates within these keeps all limits; proved\n", name.empty() ? "" : "." + name);
   for (std::size_t i = 0; i < sides.size(); ++i)
     fmt::print("{} = [\"{:.3f} {}\", \"{:.3f} {}\"]  # {}; {}\n", sides[i].coordinate->name, sides[i].low, sides[i].unit, sides[i].high,
                sides[i].unit, section::margin_words(w, w.safe_box->low_margin[i]), section::margin_words(w, w.safe_box->high_margin[i]));
@@ -125,7 +130,14 @@ int limits(const Options& options, bool (*stop)()) {
     analysis::WorkspaceRequest request = own->request;
     request.methods.clear();
     request.safe = true;
-    const Workspace w = analysis::workspace(*loaded.machine, request, progress);
+    Workspace w;
+    try {
+      w = analysis::workspace(*loaded.machine, request, progress);
+    } catch (const analysis::NoProgram& e) {
+      tell("{}:{}: there are no safe limits: {}\n", options.scenario, s.line, e.what());
+      status = gate_failed;
+      continue;
+    }
     terminal.clear();
     if (!w.safe_box || !w.safe_box->found) {
       const std::string why = !w.home_inside        ? fmt::format("home lies outside: {} is broken there", w.home_refused_by)
@@ -137,6 +149,12 @@ int limits(const Options& options, bool (*stop)()) {
       continue;
     }
     const std::vector<Side> sides = sides_of(w, *loaded.machine);
+    if (std::ranges::any_of(sides, [](const Side& side) { return !(side.low <= side.high); })) {
+      tell("{}:{}: the safe box around home is narrower than a thousandth of a millimetre or of a degree\n", options.scenario, s.line);
+      status = gate_failed;
+      continue;
+    }
+    if (!own->name.empty() && options.format != "toml") fmt::print("# Section {}\n", own->name);
     if (w.tool)
       fmt::print("# Of the tool point, in the platform's axes at ({:.3f}, {:.3f}, {:.3f}) mm.\n", 1e3 * w.tool->at()(0),
                  1e3 * w.tool->at()(1), 1e3 * w.tool->at()(2));
@@ -145,7 +163,7 @@ int limits(const Options& options, bool (*stop)()) {
     else if (options.format == "klipper")
       print_klipper(sides, *axes);
     else
-      print_toml(w, sides);
+      print_toml(w, sides, own->name);
   }
   if (asked) return status;
   tell(

@@ -3,7 +3,7 @@
 
 #include <core/analysis/design/front.hpp>
 #include <core/analysis/design/optimise.hpp>
-#include <core/analysis/design/spread.hpp>
+#include <core/analysis/spread.hpp>
 #include <core/analysis/design/sweep.hpp>
 
 #include <tbb/global_control.h>

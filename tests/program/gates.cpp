@@ -116,3 +116,23 @@ TEST_CASE("results.json says what made it and what it holds") {
   CHECK(files.empty());
   CHECK(bytes_of(here.report_folder() / "results.json").find(here.path().string()) == std::string::npos);
 }
+
+TEST_CASE("the travel of a slide that no drive moves is told, judged at every sample, and proved between them") {
+  const auto with_travel = [](const std::string& travel) {
+    return "title = \"Slide\"\n[mechanism]\nuse = \"5pus-upu\"\nparameters = { leg_travel = \"" + travel +
+           "\" }\n[motion]\nduration = \"2 s\"\nsamples = 5\nz = \"8 mm * step5(t, 0 s, 1 s)\"\n"
+           "[[section]]\nkind = \"displacement\"\n"
+           "[[check]]\nthat = \"max(abs(joint_travel))\"\nabove = \"7 mm\"\n";
+  };
+  const Workshop here;
+  const Result within = here.report(with_travel("20 mm"));
+  INFO(within.out << within.err);
+  CHECK(within.status == 0);
+  CHECK_THAT(bytes_of(here.report_folder() / "data/displacement.csv"), Contains("P6_travel [m]"));
+  const Result beyond = here.report(with_travel("5 mm"));
+  CHECK(beyond.status == 1);
+  const std::string html = bytes_of(here.report_folder() / "report.html");
+  INFO(beyond.out << beyond.err);
+  CHECK_THAT(html, Contains("joint P6"));
+  CHECK_THAT(html, Contains("its limit is 5 mm"));
+}

@@ -156,7 +156,7 @@ TEST_CASE("one coordinate alone may be scanned: where a leg meets its stroke is 
 
 TEST_CASE("the workspace of a tool point at one orientation is that of the platform, moved with it") {
   const Workshop here;
-  const std::string lines = "method = \"grid\"\nlimits = [\"strokes\"]\nat = { alpha = \"90 deg\" }\n";
+  const std::string lines = "method = \"grid\"\nlimits = [\"strokes\"]\nat = { beta = \"90 deg\" }\n";
   REQUIRE(here.report(scenario("gough", lines + "scan = { x = [\"-1 m\", \"1 m\", 41], z = [\"0.2 m\", \"1.8 m\", 33] }\n")).status == 0);
   const double accepted = value(here, "accepted"), left = value(here, "x_low"), lowest = value(here, "z_low");
   REQUIRE(accepted > 100);
@@ -169,7 +169,7 @@ TEST_CASE("the workspace of a tool point at one orientation is that of the platf
   REQUIRE(result.status == 0);
   CHECK_THAT(bytes_of(here.report_folder() / "report.html"), Contains("tool point"));
   const double moved = value(here, "accepted");
-  const std::string held = with(lines, {{"alpha = \"90 deg\"", "alpha = \"90 deg\", y = \"250 mm\""}});
+  const std::string held = with(lines, {{"beta = \"90 deg\"", "beta = \"90 deg\", y = \"250 mm\""}});
   REQUIRE(
       here.report(scenario("gough", held + "tool = [\"0 mm\", \"100 mm\", \"-250 mm\"]\nscan = { x = [\"-1 m\", \"1 m\", 41], z = [\"0.3 "
                                            "m\", \"1.9 m\", 33] }\n"))

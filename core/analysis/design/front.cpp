@@ -1,6 +1,6 @@
 #include <core/analysis/design/front.hpp>
 
-#include <core/analysis/design/spread.hpp>
+#include <core/analysis/spread.hpp>
 #include <core/assertion.hpp>
 
 #include <fmt/format.h>

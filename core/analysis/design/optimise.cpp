@@ -1,6 +1,6 @@
 #include <core/analysis/design/optimise.hpp>
 
-#include <core/analysis/design/spread.hpp>
+#include <core/analysis/spread.hpp>
 #include <core/assertion.hpp>
 
 #include <fmt/format.h>

@@ -21,7 +21,7 @@ struct Claim {
   enum class About {
     assembled,    // the mechanism can be assembled, and all of its geometry has finite numbers
     stroke,       // of actuator `index`
-    joint_limit,  // number `limit` of joint `index`; not of prismatic joints, whose travel is a stroke, nor where the range bounds nothing
+    joint_limit,  // number `limit` of joint `index`; not where the range bounds nothing
     regular       // det G has one sign, and G is finite: the actuators hold the platform, and no limb loses its actuator
   } about = About::assembled;
   int index = 0, limit = 0;

@@ -5,6 +5,7 @@
 #include <core/mechanics/model/differences.hpp>
 #include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/model/joint_motion.hpp>
 #include <core/mechanics/model/tangent.hpp>
 #include <core/mechanics/singularity/end_of_reach.hpp>
 #include <core/mechanics/statics/statics.hpp>
@@ -94,9 +95,9 @@ void SampleWork::kinematics(const Put& put, const mechanics::ClosedForm& c) {
   put(column_of(OfMachine::determinant), c.determinant);
   put(column_of(OfMachine::condition), c.condition);
   for (std::size_t i = 0; i < t.joints.size(); ++i) {
-    if (t.joints[i].kind == JointKind::prismatic) continue;
     const std::vector<double> motion = closure_.motion(state_.bodies, static_cast<int>(i));
-    for (std::size_t n = 0; n < motion.size(); ++n) put(joint_column(t.joints[i], n), motion[n]);
+    for (std::size_t n = 0; n < motion.size(); ++n)
+      if (mechanics::is_told(t.joints[i], n)) put(joint_column(t.joints[i], n), motion[n]);
   }
 }
 

@@ -28,6 +28,19 @@ std::uint64_t rim_of(const Workspace& w, std::uint64_t need) {
   return out;
 }
 
+std::optional<double> end_of_points(const Workspace& w, std::uint64_t need, std::size_t axis, bool high) {
+  const scan::Axis& a = w.scan.points[axis];
+  std::size_t inside = 1;
+  for (std::size_t k = axis + 1; k < w.scan.points.size(); ++k) inside *= w.scan.points[k].count;
+  std::optional<double> out;
+  for (std::size_t k = 0; k < w.grid->accepted_at.size(); ++k) {
+    if (static_cast<std::uint64_t>(w.grid->accepted_at[k]) < need) continue;
+    const double x = a.value(k / inside % a.count);
+    if (!out || (high ? x > *out : x < *out)) out = x;
+  }
+  return out;
+}
+
 WorkspaceAnswers::WorkspaceAnswers(const Workspace& w) : w_(w) {
   for (const ScanMethod m : w.request.methods) {
     const bool there = m == ScanMethod::proof ? w.proof.has_value() : m == ScanMethod::grid ? w.grid.has_value() : w.estimate.has_value();
@@ -53,8 +66,8 @@ Bracketed WorkspaceAnswers::end(std::size_t axis, bool high) const {
     return {high ? ends[axis].low : ends[axis].high, ends[axis].low, ends[axis].high};
   }
   if (method_ != ScanMethod::grid) return {};
-  const std::vector<double>& ends = high ? w_.grid->high : w_.grid->low;
-  return axis < ends.size() ? Bracketed::counted(ends[axis], std::abs(w_.scan.points[axis].step())) : Bracketed{};
+  const std::optional<double> out = end_of_points(w_, need(), axis, high);
+  return out ? Bracketed::counted(*out, std::abs(w_.scan.points[axis].step())) : Bracketed{};
 }
 
 bool WorkspaceAnswers::empty() const {

@@ -17,6 +17,9 @@ std::uint64_t points_with(const std::vector<std::uint32_t>& accepted_at, std::ui
 // border another grid may have all or nothing. There must be a grid.
 std::uint64_t rim_of(const Workspace& w, std::uint64_t need);
 
+// The least, or the largest, value of a point axis among such points; nothing where there are none. There must be a grid.
+std::optional<double> end_of_points(const Workspace& w, std::uint64_t need, std::size_t axis, bool high);
+
 // By the method that the section names first; where that gave nothing, as a proof that was not made, by the next. With orientations: of the
 // points where at least as many as at_least names first are accepted.
 class WorkspaceAnswers {

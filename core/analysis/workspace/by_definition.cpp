@@ -1,5 +1,6 @@
 #include <core/analysis/workspace/by_definition.hpp>
 
+#include <core/analysis/spread.hpp>
 #include <core/analysis/workspace/scan_of.hpp>
 #include <core/mechanics/machine/joint_words.hpp>
 #include <core/mechanics/model/closure.hpp>
@@ -25,15 +26,6 @@ constexpr double near_an_end = 1e-9, near_a_pressure = 1e-6;
 // Of the poses around home, how far of the range they reach.
 constexpr double around_home = 0.15;
 
-double halton(int index, int base) {
-  double out = 0, digit = 1;
-  for (int i = index; i > 0; i /= base) {
-    digit /= base;
-    out += digit * (i % base);
-  }
-  return out;
-}
-
 // Least distance of two segments: of their ends from the other, or of the lines where both feet lie within.
 double segment_distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d) {
   const auto from_segment = [](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r) {
@@ -55,7 +47,7 @@ bool judged_in_one_way(const PoseLimit& limit) {
   return limit.group == PoseLimit::Group::condition || limit.group == PoseLimit::Group::compliance;
 }
 
-// The values of all limits at a pose that can be assembled, in their order but the reach; NaN: judged in one way only.
+// The values of limits at a pose that can be assembled, in the order of `limits`: all but the reach and what is judged in one way only.
 class Values {
  public:
   Values(const Workspace& w, const mechanics::Machine& machine) : w_(w), machine_(machine), closure_(machine) {}
@@ -67,7 +59,7 @@ class Values {
     const std::vector<mechanics::BodyState> bodies = mechanics::bodies_at_rest(machine_, pose);
     for (const PoseLimit& limit : w_.margins.limits)
       if (limit.group == PoseLimit::Group::strokes || limit.group == PoseLimit::Group::joints || limit.group == PoseLimit::Group::values)
-        out.push_back(named(limit.name, pose, bodies, readings));
+        out.push_back(named(limit.value.empty() ? limit.name : limit.value, pose, bodies, readings));
     for (const mechanics::AskedLimit& asked : w_.request.limits.asked) {
       if (const auto* angle = std::get_if<mechanics::AskedAngle>(&asked.what)) angles(*angle, pose, bodies, out);
       if (const auto* distance = std::get_if<mechanics::AskedDistance>(&asked.what))
@@ -175,14 +167,16 @@ DefinitionCheck check_by_definition(const Workspace& w, const mechanics::Machine
   const std::size_t recorded = w.set.margins.outputs().size();
   std::vector<double> margins(w.set.size());
   program::Evaluator<double> evaluator(w.set.margins);
-  static constexpr std::array primes{2, 3, 5, 7, 11, 13};
+  const std::vector<std::vector<double>> spread_evenly =
+      spread(static_cast<std::size_t>(std::max(poses, 0)), std::min(w.scan.points.size(), most_variables));
   for (int k = 0; k < poses; ++k) {
     std::vector<double> q = w.scan.at;
     const bool local = w.home_inside && k % 2 == 1;
     std::size_t dimension = 0;
     for (const scan::Axis& a : w.scan.points) {
       const auto i = static_cast<std::size_t>(a.input);
-      const double u = halton(k + 1, primes[dimension++ % primes.size()]);
+      const std::vector<double>& point = spread_evenly[static_cast<std::size_t>(k)];
+      const double u = point[dimension++ % point.size()];
       q[i] = local ? home[i] + around_home * (2 * u - 1) * (a.to - a.from) : a.from + u * (a.to - a.from);
     }
     if (!w.scan.orientations.empty()) {

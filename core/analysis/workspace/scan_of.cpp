@@ -41,7 +41,10 @@ WorkspaceRequest completed(WorkspaceRequest request, const std::vector<double>& 
     orientations = 1;
     for (const ScanRange& r : request.orientations) orientations *= r.count;
   }
-  if (orientations > 0 && request.at_least.empty()) request.at_least = {1, orientations};
+  if (orientations > 0 && request.at_least.empty()) {
+    request.at_least = {1};
+    if (orientations > 1) request.at_least.push_back(orientations);
+  }
   if (orientations == 0) request.at_least.clear();
   return request;
 }

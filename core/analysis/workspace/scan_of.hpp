@@ -7,8 +7,8 @@
 
 namespace pmreport::analysis {
 
-// With `at` at home where it has no size, at_least filled in (one and all where there are orientations), each method once.
-// `home`: of the scan.
+// With `at` at home, which is that of the scan, where it has no size or is NaN, at_least filled in (one, and all where there are several
+// orientations), each method once.
 WorkspaceRequest completed(WorkspaceRequest request, const std::vector<double>& home);
 scan::PoseSet set_of(const mechanics::PoseMargins& margins);
 scan::Scan scan_of(const WorkspaceRequest& request, const mechanics::Machine& machine);

@@ -39,16 +39,25 @@ std::uint64_t hash_of(const Workspace& w, const scan::GridOptions& options) {
   for (const program::Step& s : w.set.margins.steps()) h << s.operation << s.a << s.b << s.c << s.constant;
   for (const int o : w.set.margins.outputs()) h << o;
   for (const double x : w.set.rounding) h << x;
-  for (const mechanics::PoseLimit& l : w.margins.limits) h << l.group << l.min << l.max;
+  for (const mechanics::PoseLimit& l : w.margins.limits) {
+    h << l.group << l.min << l.max;
+    for (const char c : l.name + "\n" + l.value + "\n") h << c;
+  }
+  for (const mechanics::AskedLimit& asked : w.request.limits.asked)
+    if (const auto* c = std::get_if<mechanics::AskedCompliance>(&asked.what)) h << c->drive_stiffness << c->horizontal;
+  h << w.margins.late << w.margins.every;
+  for (const int i : w.scan.turned) h << i;
   for (const double x : w.scan.at) h << x;
   for (const scan::Axis& a : w.scan.points) h << a.input << a.from << a.to << a.count;
   for (const auto& o : w.scan.orientations)
     for (const double x : o) h << x;
   h << options.reasons << options.keep_poses << (options.sign != nullptr);
+  if (options.sign != nullptr)
+    for (const program::Step& s : options.sign->steps()) h << s.operation << s.a << s.b << s.c << s.constant;
   return h.value();
 }
 
-// The scan with its ranges, told by how far it is and how long it will take.
+// A scan told by how far it is.
 scan::Watch watch_of(const Progress& progress, std::string what) {
   scan::Watch out;
   out.done = [&progress, what](double share) { progress.say(fmt::format("{}: {:.0f} %", what, 100 * share)); };

@@ -87,7 +87,9 @@ Outcome MotionBounds::outcome(Eigen::Index bound) const {
 }
 
 Sense MotionBounds::sense(const Bound& b) const {
-  return b.actuator >= 0 ? machine_.topology().actuators[static_cast<std::size_t>(b.actuator)].sense() : Sense::rotary;
+  const Topology& t = machine_.topology();
+  if (b.actuator >= 0) return t.actuators[static_cast<std::size_t>(b.actuator)].sense();
+  return b.joint >= 0 && t.joints[static_cast<std::size_t>(b.joint)].kind == JointKind::prismatic ? Sense::linear : Sense::rotary;
 }
 
 std::string MotionBounds::subject(Eigen::Index bound) const {

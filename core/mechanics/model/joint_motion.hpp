@@ -24,11 +24,13 @@ struct Placed {  // a body, base axes
   Matrix3<T> rotation;
 };
 
-// Whether an end of a limit can be met. An angle from half a turn back to half a turn ahead tells nothing apart, and a deflection is never
-// less than none. The travel of a slide is judged as the stroke of its actuator.
+// Whether an end of a limit can be met. An angle from half a turn back to half a turn ahead tells nothing apart, a deflection is never less
+// than none, and ten metres either way are no limit of a slide: most are judged by the stroke of their actuator.
 bool binds(const Joint& joint, const Range& range, bool upper);
-// A slide whose travel is bounded besides the stroke of an actuator: ten metres either way stand for no limit.
-bool bounds_travel(const Joint& joint, const Range& range);
+// Whether the motion that limit `k` is about is told and judged: of a slide only where the limit binds.
+bool is_told(const Joint& joint, std::size_t k);
+// Of that motion: "m" or "rad".
+const char* motion_unit(const Joint& joint);
 
 // An angle about the unit axis n of one body A, from the direction c of A to a direction w, both seen along n: with c_ the part of c across
 // n, n . (c_ x w) = (n x c_) . w, so that

@@ -35,7 +35,7 @@ bool along_z(const Eigen::Vector3d& v) { return v.x() == 0 && v.y() == 0; }
 
 }  // namespace
 
-std::optional<MotionProgram> motion_program(const Machine& machine, std::string* why, bool slides) {
+std::optional<MotionProgram> motion_program(const Machine& machine, std::string* why) {
   const program::Program* geometry = machine.program(why);
   if (geometry == nullptr) return std::nullopt;
   const Topology& t = machine.topology();
@@ -50,8 +50,7 @@ std::optional<MotionProgram> motion_program(const Machine& machine, std::string*
     std::vector<Recorded> motions;
     bool known = true;
     for (std::size_t k = 0; k < joint.limits.size(); ++k) {
-      const bool slide = slides && bounds_travel(joint, joint.limits[k]);
-      if (!slide && !binds(joint, joint.limits[k], false) && !binds(joint, joint.limits[k], true)) continue;
+      if (!binds(joint, joint.limits[k], false) && !binds(joint, joint.limits[k], true)) continue;
       if (motions.empty()) {
         bool whole_a = false, whole_b = false;
         const Placed<Recorded> a = placed(machine, recorder, joint.a, whole_a), b = placed(machine, recorder, joint.b, whole_b);

@@ -24,8 +24,7 @@ struct MotionProgram {
   std::vector<std::string> left_out;  // joints with such a limit whose motion the geometry leaves open: a slender body has no spin to tell
 };
 
-// Nothing where the mechanism has no program; `why` then gets a sentence. `slides`: among the joints also those whose travel is bounded by
-// a limit of their own.
-std::optional<MotionProgram> motion_program(const Machine& machine, std::string* why = nullptr, bool slides = false);
+// Nothing where the mechanism has no program; `why` then gets a sentence.
+std::optional<MotionProgram> motion_program(const Machine& machine, std::string* why = nullptr);
 
 }  // namespace pmreport::mechanics

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <numbers>
 #include <numeric>
 
 namespace pmreport::mechanics {
@@ -124,7 +125,10 @@ std::size_t LateLimits::Work::pressures(std::size_t count, const double* poses, 
   const std::size_t n = cosines.program().outputs().size();
   std::vector<double> squares(n * count);
   cosines.run(count, poses, squares.data());
-  const auto squared_cosine = [](double angle) { return std::cos(angle) * std::cos(angle); };
+  const auto squared_cosine = [](double end) {
+    const double angle = std::clamp(end, 0.0, std::numbers::pi / 2);
+    return std::cos(angle) * std::cos(angle);
+  };
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t k = 0; k < count; ++k) {
       const double square = squares[i * count + k];

@@ -29,13 +29,13 @@ class MarginRecorder {
 
   // The reach, which must come first: output 0 of the program started from.
   void add_reach();
-  // Output `o` of the program started from between the two ends of the limit. `positive`: it is a length, and ends below zero are not met.
+  // Output `o` of the program started from between the two ends of the limit.
   void add_output(PoseLimit limit, std::size_t o);
   // An angle between two directions, by the product of their vectors and the length of both: 0 to pi.
   void add_angle(PoseLimit limit, const Recorded& product, const Recorded& lengths);
   // A length by its square.
   void add_square(PoseLimit limit, const Recorded& square);
-  // A limit whose margins are judged late: `margins` upper ends.
+  // A limit whose margins are judged late: of its lower end, of its upper end.
   void add_late(PoseLimit limit, bool lower, bool upper);
 
   std::vector<Recorded> outputs;

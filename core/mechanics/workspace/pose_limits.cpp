@@ -81,6 +81,12 @@ std::vector<Found> values_named(const Machine& machine, const MotionProgram* mot
   return out;
 }
 
+PoseLimit value_limit(const Found& f, const AskedLimit& asked) {
+  const bool alone = std::get<AskedValue>(asked.what).name == f.name;
+  const std::string name = asked.name.empty() ? f.name : alone ? asked.name : asked.name + " " + f.name;
+  return {Group::values, name, f.title, f.unit, asked.min, asked.max, f.name};
+}
+
 void add_strokes(MarginRecorder& margins, const Machine& machine) {
   const Topology& t = machine.topology();
   for (std::size_t i = 0; i < t.actuators.size(); ++i) {
@@ -97,10 +103,9 @@ void add_joints(MarginRecorder& margins, program::Recorder& recorder, const Mach
     const auto k = static_cast<std::size_t>(m.limit);
     const Range& range = joint.limits[k];
     PoseLimit limit{Group::joints, motion_name(joint, k), fmt::format("motion of joint {} from {}", joint.name, origin_of(t, joint)),
-                    joint.kind == JointKind::prismatic ? "m" : "rad"};
-    const bool slide = joint.kind == JointKind::prismatic;
-    if (slide || binds(joint, range, false)) limit.min = range.min;
-    if (slide || binds(joint, range, true)) limit.max = range.max;
+                    motion_unit(joint)};
+    if (binds(joint, range, false)) limit.min = range.min;
+    if (binds(joint, range, true)) limit.max = range.max;
     const program::Step& step = motion.program.steps()[static_cast<std::size_t>(motion.program.outputs()[m.output])];
     // The stud and what its deflection counts from are unit vectors.
     if (joint.kind == JointKind::spherical && step.operation == program::Operation::atan2)
@@ -140,7 +145,7 @@ void add_late(MarginRecorder& margins, LateLimits& late, const Machine& machine,
   if (const auto* value = std::get_if<AskedValue>(&asked.what))
     for (const Found& f : values_named(machine, &motion, value->name))
       if (f.reading >= 0) {
-        margins.add_late({Group::values, f.name, f.title, f.unit, asked.min, asked.max}, lower, upper);
+        margins.add_late(value_limit(f, asked), lower, upper);
         late.add_reading(f.reading, asked.min, asked.max);
       }
   if (std::holds_alternative<AskedPressure>(asked.what)) {
@@ -215,8 +220,13 @@ std::optional<std::string> refusal(const Machine& machine, const AskedLimit& ask
   };
   if (const auto* angle = std::get_if<AskedAngle>(&asked.what)) return limbs(angle->limbs);
   if (const auto* value = std::get_if<AskedValue>(&asked.what)) {
-    if (!values_named(machine, nullptr, value->name).empty()) return std::nullopt;
-    return fmt::format("there is no actuator, derived quantity, reading or joint motion \"{}\"", value->name);
+    if (values_named(machine, nullptr, value->name).empty())
+      return fmt::format("there is no actuator, derived quantity, reading or joint motion \"{}\"", value->name);
+    const std::optional<MotionProgram> motion = motion_program(machine);
+    if (motion && values_named(machine, &*motion, value->name).empty())
+      return fmt::format("{} is not known from the recorded geometry: the joint has no limit that binds, or ends at a body without spin",
+                         value->name);
+    return std::nullopt;
   }
   if (const auto* distance = std::get_if<AskedDistance>(&asked.what)) {
     for (const auto& numbers : {distance->limbs, distance->with})
@@ -229,7 +239,7 @@ std::optional<std::string> refusal(const Machine& machine, const AskedLimit& ask
 }
 
 std::optional<PoseMargins> pose_margins(const Machine& machine, const LimitChoice& choice, std::string* why) {
-  const std::optional<MotionProgram> motion = motion_program(machine, why, true);
+  const std::optional<MotionProgram> motion = motion_program(machine, why);
   if (!motion) return std::nullopt;
   program::Recorder recorder(motion->program);
   PoseMargins out;
@@ -245,7 +255,7 @@ std::optional<PoseMargins> pose_margins(const Machine& machine, const LimitChoic
     if (const auto* angle = std::get_if<AskedAngle>(&asked.what)) add_angles(margins, at, machine, asked, *angle);
     if (const auto* value = std::get_if<AskedValue>(&asked.what))
       for (const Found& f : values_named(machine, &*motion, value->name))
-        if (f.output) margins.add_output({Group::values, f.name, f.title, f.unit, asked.min, asked.max}, *f.output);
+        if (f.output) margins.add_output(value_limit(f, asked), *f.output);
     if (const auto* distance = std::get_if<AskedDistance>(&asked.what)) add_distances(margins, at, machine, asked, *distance);
   }
   // What no program gives stands behind, and behind it what must hold at every orientation.

@@ -24,6 +24,7 @@ struct PoseLimit {
   std::string title;  // "length of leg 1"
   std::string unit;   // SI
   double min = -open_end, max = open_end;
+  std::string value = {};  // of a value with a name that was asked for: its own
 };
 const char* name_of(PoseLimit::Group group);  // "strokes"
 
@@ -39,7 +40,8 @@ struct AskedAngle {  // between a limb's line and a direction
   std::vector<int> limbs;
   Direction against;
 };
-struct AskedValue {  // an actuator, a joint's motion, a derived quantity or a reading; or a group: "derived", "readings"
+struct AskedValue {  // an actuator, a joint's motion, a derived quantity or a reading; or a group: "actuator", "joint_angle", "derived",
+                     // "reading"
   std::string name;
 };
 struct AskedDistance {  // between limbs as finite segments, of `limbs` among each other, or to those `with` them; limbs that share a joint,
@@ -54,7 +56,7 @@ struct AskedCompliance {  // largest displacement of the platform's reference po
   bool horizontal = false;     // the force lies in the base's xy plane
 };
 struct AskedLimit {
-  std::string name;  // for the tables; empty: its own
+  std::string name;  // for the tables; empty: its own. Of a group of values it stands before the name of each
   std::variant<AskedAngle, AskedValue, AskedDistance, AskedPressure, AskedCondition, AskedCompliance> what;
   double min = -open_end, max = open_end;
   // Of an index: a point of a scan counts only where all orientations that keep the other limits keep this one too.

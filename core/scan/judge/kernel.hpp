@@ -15,7 +15,8 @@ struct Refusals {
 };
 
 struct JudgeKernel {
-  // Margin m of pose k at margins[m * count + k]; no number is negative. Lowers what is known of each pose, and returns how many are left.
+  // Margin m of pose k at values[m * count + k], of so many margins; no number is negative. Lowers what is known of each pose, and returns
+  // how many are left.
   std::size_t (*judge)(std::size_t margins, const double* slack, std::size_t count, const double* values, double* known);
   // One margin, with what it refuses.
   Refusals (*explain)(double slack, std::size_t count, const double* values, double* known);

@@ -151,7 +151,7 @@ void Walk::accept(const Block& b) {
 int Walk::widest(const Block& b) const {
   const std::size_t axes = values_.size(), points = b.tile.size(), orientations = turned(b);
   if (!prune_) return points > most_points ? static_cast<int>(b.tile.longest()) : -1;
-  if (points * orientations <= fewest || (orientations == 1 && points <= fewest)) return -1;
+  if (points * orientations <= fewest) return -1;
   int out = -1;
   double most = -1;
   if (points > fewest_points)

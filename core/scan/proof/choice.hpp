@@ -14,7 +14,6 @@ class Gaps {
  public:
   Gaps(const OpenBoxes& boxes, std::size_t axes);
 
-  double total() const { return total_; }
   // Boxes whose gap is greater are to be halved, so that in the end no more than `allowed` is left; and no more than `most` boxes at once.
   double threshold(double allowed, std::size_t most) const;
   // Boxes whose gap is not greater are `count` or a few more, or all.

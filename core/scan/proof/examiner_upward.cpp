@@ -43,7 +43,7 @@ struct Centred {
   std::array<double, most_axes> spread_along{};  // what of low to high is owed to the width along an axis, over two
 };
 
-// (2). What g varies by beyond what is owed to axes with bounds is owed to the others. Sums of magnitudes are negative, and so no greater
+// What g varies by beyond what is owed to axes with bounds is owed to the others. Sums of magnitudes are negative, and so no greater
 // than they are.
 void bound_by_slopes(Centred& g, const Bounds* partials, std::size_t stride, std::span<const Side> sides) {
   g.w.fill(0), g.spread_along.fill(0);

@@ -61,7 +61,6 @@ class MarginPrograms {
 
   void inherit(std::uint32_t set, std::uint32_t from);  // set: the next number
   void give_own(std::uint32_t set);                     // unless there are too many, or it has one
-  bool has_own(std::uint32_t set) const { return own_[set]; }
   std::uint32_t number(std::uint32_t set) const { return number_[set]; }
   const MarginProgram& program(std::uint32_t number) const { return *programs_[number]; }
 

@@ -1,6 +1,7 @@
 #include <reports/section/common/proof_words.hpp>
 
 #include <core/mechanics/machine/joint_words.hpp>
+#include <core/mechanics/model/joint_motion.hpp>
 #include <core/text/text.hpp>
 #include <reports/section/common/brackets.hpp>
 #include <reports/section/common/limits.hpp>
@@ -49,11 +50,6 @@ std::string when_undecided(const std::vector<Bounds>& spans) {
   return some(pieces);
 }
 
-const std::string& unit_of(const Proved& p, const ProvedClaim& c) {
-  static const std::string angle = "rad";
-  return c.about == About::stroke ? p.topology.actuators[static_cast<std::size_t>(c.index)].unit : angle;
-}
-
 double excess(const ProvedClaim& c, const ProvedClaim::Broken& b) {
   return b.above ? b.worst.high - c.range.max : c.range.min - b.worst.low;
 }
@@ -69,7 +65,7 @@ const ProvedClaim::Broken* worst_of(const ProvedClaim& c) {
 std::string farthest_words(const Proved& p, const ProvedClaim& c, const std::string& whose) {
   const ProvedClaim::Broken* worst = worst_of(c);
   if (worst == nullptr) return "";
-  const std::string& unit = unit_of(p, c);
+  const std::string unit = unit_of(p, c);
   const double limit = worst->above ? c.range.max : c.range.min;
   const Apart told = show_apart(worst->worst.middle(), limit, unit);
   std::string range;
@@ -257,6 +253,11 @@ bool Proved::any(About about, State state) const {
 }
 
 Proved proved(const Analysis& a) { return {a.proof(), a.machine().topology(), a.singular_everywhere()}; }
+
+std::string unit_of(const Proved& p, const ProvedClaim& c) {
+  const auto at = static_cast<std::size_t>(c.index);
+  return c.about == About::stroke ? p.topology.actuators[at].unit : mechanics::motion_unit(p.topology.joints[at]);
+}
 
 std::string subject_of(const Proved& p, const ProvedClaim& c) {
   if (c.about == About::stroke) return p.topology.actuators[static_cast<std::size_t>(c.index)].name;

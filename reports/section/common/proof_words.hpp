@@ -28,6 +28,7 @@ Proved proved(const Analysis& a);
 
 // "l3", "A1": what a claim is of; empty: the whole mechanism. Of a joint with two limits "U1, axis 2".
 std::string subject_of(const Proved& p, const ProvedClaim& c);
+std::string unit_of(const Proved& p, const ProvedClaim& c);  // of a stroke or the limit of a joint, SI
 
 // "strokes, joint limits and regularity hold at every instant from 0 s to 10 s (proved, 323 intervals)": those kinds of which all claims
 // hold; empty: none.

@@ -32,6 +32,8 @@ std::string motion_from(const Analysis& a, const std::vector<Trace>& curves) {
 // Joint motions: in one panel as long as they are few, else those of one letter in one: A1 A2 ..., B1 B2 ...
 void add_joints(figure::Figure& f, const Analysis& a) {
   constexpr std::size_t few = 10;
+  const std::vector<Trace> slides = group(a, analysis::displacement_columns, "joint_travel");
+  if (!slides.empty()) add_panel(f, a, "slides", motion_from(a, slides), "m", slides);
   const std::vector<Trace> all = group(a, analysis::displacement_columns, "joint_angle");
   if (all.size() <= few) return add_panel(f, a, "joints", motion_from(a, all), "rad", all);
   std::vector<std::pair<std::string, std::vector<Trace>>> kinds;
@@ -83,9 +85,9 @@ Result displacement_section(const Analysis& a) {
                 unit == "1" ? "" : unit, group(a, analysis::displacement_columns, name, unit));
   add_joints(f, a);
   s.blocks.push_back(f);
-  s.blocks.push_back(
-      extremes(a, "Extremes over the motion.",
-               columns_in(a, analysis::displacement_columns, {"coordinate", "derived", "actuator", "reading", "joint_angle"})));
+  s.blocks.push_back(extremes(
+      a, "Extremes over the motion.",
+      columns_in(a, analysis::displacement_columns, {"coordinate", "derived", "actuator", "reading", "joint_angle", "joint_travel"})));
   document::Proof evidence = proof(
       a,
       {{Measure::gap, "The joints close", "largest distance of the two images of a joint centre, each carried along by one of its bodies",

@@ -56,7 +56,7 @@ EveryInstant::Claim result_of(const Proved& p, const ProvedClaim& c) {
   out.subject = subject_of(p, c);
   const bool ranged = c.about == About::stroke || c.about == About::joint_limit;
   if (ranged) {
-    out.unit = c.about == About::stroke ? p.topology.actuators[static_cast<std::size_t>(c.index)].unit : "rad";
+    out.unit = unit_of(p, c);
     out.range = {c.range.min, c.range.max};
   }
   const bool nothing = c.about == About::regular && p.singular_everywhere;

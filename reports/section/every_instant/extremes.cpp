@@ -25,8 +25,7 @@ Bounds range_of(const Topology& t, const ColumnId& column) {
     if (column_of(a) == column) return {a.stroke.min, a.stroke.max};
   for (const Joint& j : t.joints)
     for (std::size_t i = 0; i < j.limits.size(); ++i)
-      if (j.kind != JointKind::prismatic && analysis::joint_column(j, i) == column)
-        return {j.kind == JointKind::spherical ? -infinity : j.limits[i].min, j.limits[i].max};
+      if (analysis::joint_column(j, i) == column) return {j.kind == JointKind::spherical ? -infinity : j.limits[i].min, j.limits[i].max};
   return {};
 }
 
@@ -44,7 +43,7 @@ double room(const ExtremeShown& e) {
   return std::min(above, below) / (both ? e.range.high - e.range.low : e.range.high);
 }
 
-bool of_joint(const ExtremeShown& e) { return e.column.group == "joint_angle"; }
+bool of_joint(const ExtremeShown& e) { return e.column.group == "joint_angle" || e.column.group == "joint_travel"; }
 bool is_limited_joint(const ExtremeShown& e) { return of_joint(e) && std::isfinite(e.range.high); }
 
 // One of the two extremes of a column.

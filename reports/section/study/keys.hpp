@@ -1,7 +1,7 @@
 // The keys of a study, and how they are read.
 #pragma once
 
-#include <core/analysis/design/spread.hpp>
+#include <core/analysis/spread.hpp>
 #include <core/scenario/section/kind.hpp>
 #include <core/scenario/section/reading.hpp>
 #include <reports/section/study/options.hpp>

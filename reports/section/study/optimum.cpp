@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 
 namespace pmreport::section {
 
@@ -127,7 +128,7 @@ std::string headline(const Told& t) {
   if (!t.found.own.made()) return out + fmt::format("; the scenario as it stands has none: {}.", printable(t.found.own.why));
   const Bracketed& own = t.found.own.numbers[t.goal()];
   out += fmt::format("; the scenario as it stands has {} ({})", with_unit(own, n.unit), change(now, own));
-  if (!t.problem.feasible(t.found.own)) out += ", and breaks a constraint";
+  if (t.problem.usable(t.found.own) && !t.problem.feasible(t.found.own)) out += ", and breaks a constraint";
   if (!t.found.own_inside) out += ", and lies outside the ranges";
   return out + ". There is no proof that there is no better one.";
 }
@@ -142,10 +143,13 @@ double goal_gap(const Told& t) {
 // What is broken by less than a grid leaves open is not decided.
 Evidence constraints_kept(const Told& t, const std::string& claim, const std::string& how) {
   const Judged& closer = t.found.confirmed;
-  for (const DesignConstraint& c : t.o.constraints)
-    if (const double slack = c.slack(closer); slack < 0 && -slack <= t.best().judged.numbers[c.measure].resolution)
-      return Evidence::without_value(Verdict::not_decided, claim, how,
-                                     fmt::format("{} is broken by less than a step of the grid may make", words_of(t.o, c)));
+  const auto broken = [&](const DesignConstraint& c) { return c.slack(closer) < 0; };
+  const auto is_open = [&](const DesignConstraint& c) { return -c.slack(closer) <= t.best().judged.numbers[c.measure].resolution; };
+  std::vector<DesignConstraint> all;
+  std::ranges::copy_if(t.o.constraints, std::back_inserter(all), broken);
+  if (!all.empty() && std::ranges::all_of(all, is_open))
+    return Evidence::without_value(Verdict::not_decided, claim, how,
+                                   fmt::format("{} is broken by less than a step of the grid may make", words_of(t.o, all.front())));
   return {claim, how, violation(t.o.constraints, closer), 0, ""};
 }
 
@@ -163,7 +167,7 @@ std::vector<Evidence> evidence(const Told& t) {
   if (!t.problem.usable(closer)) {
     out.push_back(Evidence::not_examined(same, "by " + look, "the closer look gives no numbers: " + remark(closer)));
   } else {
-    if (!t.o.constraints.empty()) out.push_back(constraints_kept(t, kept, "largest violation, of its bound; by " + look));
+    if (!t.o.constraints.empty()) out.push_back(constraints_kept(t, kept, "sum of violations, each of its bound; by " + look));
     out.push_back({same, "gap between the two brackets, of the value; by " + look, disagreement(t.o, t.best().judged, closer),
                    allowed_disagreement(t.o), ""});
   }

@@ -143,7 +143,7 @@ class Drawing {
     figure.caption =
         "Slices through the workspace: accepted poses, and refused ones by the first limit that refuses them; the lines are the limits "
         "that bound what is accepted.";
-    if (!w_.scan.orientations.empty()) figure.caption += " At the orientation of home alone.";
+    if (!w_.scan.orientations.empty()) figure.caption += " At one orientation alone.";
     map.caption =
         options_.map == "condition"
             ? "The condition number of the overall Jacobian, moments over the characteristic length, where poses are accepted."

@@ -226,10 +226,10 @@ std::vector<scenario::Key> workspace_keys() {
                   [](const Entry& e, const Reading& r, O& options) {
                     if (r.mechanism.topology) options.request.at = read_held(e.value, "at", r);
                   }),
-      keys::late(keys::of<O>("tool", Shape::list(3, 3, Shape::quantity(Dimension{1, 0, 0, 0})),
-                             "a point of the platform, in its axes, that is scanned in place of its reference point: coordinates of the "
-                             "place are this point's",
-                             "the reference point", read_tool)),
+      keys::of<O>("tool", Shape::list(3, 3, Shape::quantity(Dimension{1, 0, 0, 0})),
+                  "a point of the platform, in its axes, that is scanned in place of its reference point: coordinates of the "
+                  "place are this point's",
+                  "the reference point", read_tool),
       keys::of<O>("limits", Shape::list(0, 2, Shape::word(groups)), "groups of the mechanism's limits that count", "all", read_groups),
       keys::of<O>("limit", limit_shape(), "what a pose must keep besides", "none",
                   [](const Entry& e, const Reading& r, O& options) { options.request.limits.asked = read_asked_limits(e, r); }),
@@ -318,6 +318,13 @@ void complete_workspace(scenario::TableReader& table, const Reading& r, scenario
   for (const std::uint64_t n : request.at_least)
     if (count > 0 && static_cast<double>(n) > count)
       diagnostics.add(at_least->value.place, fmt::format("expected at most the {:.0f} orientations that there are, seen {}", count, n));
+  if (count > 0 && request.at_least.empty()) {
+    request.at_least = {1};
+    if (count > 1) request.at_least.push_back(static_cast<std::uint64_t>(count));
+  }
+  if (request.one_sheet && !grid)
+    diagnostics.add(table.find("one_sheet")->place, "one_sheet is told of a grid, and the section counts none",
+                    "write method = \"grid\", or remove it");
   if (at_least != nullptr && orientations == nullptr)
     diagnostics.add(at_least->place, "at_least counts orientations, and the section has none", "add orientations, or remove it");
   if (request.one_sheet && !request.orientation_list.empty())
@@ -326,7 +333,8 @@ void complete_workspace(scenario::TableReader& table, const Reading& r, scenario
   if (!request.proportions.empty()) {
     std::vector<double> own;
     for (const ScanRange& range : request.scan) own.push_back(request.proportions[static_cast<std::size_t>(range.coordinate)]);
-    for (const ScanRange& range : request.orientations) own.push_back(request.proportions[static_cast<std::size_t>(range.coordinate)]);
+    for (const ScanRange& range : request.orientations)
+      if (range.from != range.to) own.push_back(request.proportions[static_cast<std::size_t>(range.coordinate)]);
     if (std::ranges::any_of(own, [](double x) { return std::isnan(x); }))
       diagnostics.add(proportions->place, "expected a half width of every coordinate that is scanned", "add those that are left out");
     request.proportions = own;
@@ -338,6 +346,12 @@ void complete_workspace(scenario::TableReader& table, const Reading& r, scenario
     (coordinates[static_cast<std::size_t>(range.coordinate)].sense() == Sense::linear ? metres : radians) += 1;
   }
   options.unit = analysis::unit_of_volume(metres, radians);
+  options.safe_scanned = options.scanned, options.safe_units = options.units;
+  for (const ScanRange& range : request.orientations)
+    if (range.from != range.to) {
+      options.safe_scanned.push_back(name(range.coordinate));
+      options.safe_units.push_back(coordinates[static_cast<std::size_t>(range.coordinate)].unit);
+    }
 }
 
 }  // namespace pmreport::section

@@ -16,7 +16,7 @@ std::vector<scenario::Quantity> quantities(const scenario::Options* plain) {
   // Of options that are not known: those of a section over three lengths, asked by every method.
   O any;
   any.unit = "m^3";
-  any.scanned = {"x", "y", "z"};
+  any.scanned = any.safe_scanned = {"x", "y", "z"};
   any.request.methods = {ScanMethod::proof, ScanMethod::grid, ScanMethod::monte_carlo};
   const O& o = plain != nullptr ? static_cast<const O&>(*plain) : any;
   const auto asks = [&](ScanMethod m) { return std::ranges::find(o.request.methods, m) != o.request.methods.end(); };
@@ -58,8 +58,11 @@ std::vector<scenario::Quantity> quantities(const scenario::Options* plain) {
     const std::string of = !o.units.empty() ? o.units[i] : "m";
     add(o.scanned[i] + "_low", of, "least " + o.scanned[i] + " of the workspace");
     add(o.scanned[i] + "_high", of, "most " + o.scanned[i] + " of the workspace");
-    add("safe_" + o.scanned[i] + "_low", of, "least " + o.scanned[i] + " of the safe box");
-    add("safe_" + o.scanned[i] + "_high", of, "most " + o.scanned[i] + " of the safe box");
+  }
+  for (std::size_t i = 0; i < o.safe_scanned.size(); ++i) {
+    const std::string of = !o.safe_units.empty() ? o.safe_units[i] : "m";
+    add("safe_" + o.safe_scanned[i] + "_low", of, "least " + o.safe_scanned[i] + " of the safe box");
+    add("safe_" + o.safe_scanned[i] + "_high", of, "most " + o.safe_scanned[i] + " of the safe box");
   }
   return out;
 }

@@ -190,7 +190,8 @@ Shape limit_shape() {
                                                  keys::within("axis", Shape::list(3, 3, Shape::quantity(Dimension{})), "")})}),
                     "that direction"),
        keys::within("value", Shape::text(),
-                    "an actuator, a joint's motion, a derived quantity or a reading, or `\"derived\"`, `\"reading\"`"),
+                    "an actuator, a joint's motion, a derived quantity or a reading, or all of a group: `\"actuator\"`, "
+                    "`\"joint_angle\"`, `\"derived\"`, `\"reading\"`"),
        keys::within("distance", limbs, "limbs, as segments, from each other, but those that share a joint"),
        keys::within("to", limbs, "from these instead"), keys::within("surfaces", Shape::boolean(), "less their radii", "`false`"),
        keys::within("index", Shape::word(indices),

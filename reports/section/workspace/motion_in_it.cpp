@@ -23,7 +23,7 @@ Drawn motion_in_workspace(const Analysis& a, const Workspace& w, const std::stri
     out.blocks.emplace_back(
         Paragraph{Paragraph::Tone::plain,
                   fmt::format("At its samples the motion stays {} or more from the boundary, to first order, with angles counted "
-                              "by arcs at {} from the reference point; nearest at t = {}, to {}.{}",
+                              "by arcs with a radius of {}; nearest at t = {}, to {}.{}",
                               show(least, "m"), show(a.length(), "m"), when, limit, metric)});
   else
     out.blocks.emplace_back(Paragraph{

@@ -17,8 +17,9 @@ struct WorkspaceOptions : scenario::Options {
   std::string map;                      // an index shown over the slices: "condition" or "determinant"; empty: none
   bool pictures = true, exports = true;
 
-  std::vector<std::string> scanned, units;  // names of the scanned coordinates, and their units, for quantities
-  std::string unit;                         // of the volume
+  std::vector<std::string> scanned, units;            // names of the scanned coordinates, and their units, for quantities
+  std::vector<std::string> safe_scanned, safe_units;  // of the safe box: orientations too
+  std::string unit;                                   // of the volume
 };
 
 // "workspace.volume", or "workspace.NAME.volume".

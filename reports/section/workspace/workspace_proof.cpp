@@ -80,6 +80,22 @@ document::Proof workspace_proof(const Workspace& w, const mechanics::Machine& ma
       out.lines.push_back(
           Evidence::without_value(Verdict::not_decided, claim, means, show_bracket(w.proof->volume, w.unit) + "; " + w.proof->why));
   }
+  for (std::size_t i = 0; i < w.proof_at_least.size(); ++i) {
+    const scan::ProvedVolume& p = w.proof_at_least[i];
+    const std::string claim = fmt::format("The volume with at least {} orientations is bracketed as narrowly as asked for",
+                                          w.request.at_least[i]),
+                      means = "relative width of the proved bracket";
+    if (p.empty || p.enough)
+      out.lines.push_back(outcome(true, claim, means, p.empty ? "proved empty" : show_bracket(p.volume, w.unit)));
+    else
+      out.lines.push_back(Evidence::without_value(Verdict::not_decided, claim, means, show_bracket(p.volume, w.unit) + "; " + p.why));
+  }
+  if (w.request.safe && !(w.safe_box && w.safe_box->found) && w.home_inside) {
+    const std::string why = w.set.late.size > 0 ? "a limit on an index or a reading cannot be proved over a box"
+                            : w.safe_box        ? w.safe_box->why
+                                                : "no coordinate has a range";
+    out.lines.push_back(Evidence::not_examined("A safe box around home", "every pose of it, by intervals", why));
+  }
   if (!w.not_proved.empty())
     out.lines.push_back(Evidence::not_examined("A proved bracket of the volume", "boxes of poses, by intervals", w.not_proved));
   if (w.grid && w.grid->tally.on_a_limit > 0)
@@ -118,7 +134,7 @@ std::vector<document::Value> workspace_values(const Workspace& w, const mechanic
   for (std::size_t i = 0; i < w.request.at_least.size(); ++i) {
     const std::string n = std::to_string(w.request.at_least[i]);
     if (w.grid) put("points_with_at_least_" + n, "", points_at_least(w.request.at_least[i]));
-    if (!w.grid->by_others_at.empty())
+    if (w.grid && !w.grid->by_others_at.empty())
       put("volume_at_least_" + n + "_by_other_limits", w.unit,
           cell * number(analysis::points_with(w.grid->by_others_at, w.request.at_least[i])));
     put("volume_at_least_" + n, w.unit,

@@ -165,7 +165,7 @@ std::string workspace_summary(const Workspace& w, const std::string& name) {
       out += fmt::format(" (a grid of {} poses)", count(w.grid->tally.poses));
       break;
     case ScanMethod::monte_carlo:
-      out += " (95 % of random poses)";
+      out += " (95 % interval of random poses)";
       break;
   }
   if (!w.home_inside) out += fmt::format("; home lies outside, for {} is broken", w.home_refused_by);
@@ -208,6 +208,7 @@ Table workspace_volumes(const Workspace& w) {
 }
 
 Table workspace_extent(const Workspace& w, const mechanics::Machine& machine) {
+  const std::uint64_t need = w.request.at_least.empty() ? 1 : w.request.at_least.front();
   Table t{"Extent of the workspace", {"coordinate", "least", "most", "centroid"}, {false, true, true, true}, {}};
   for (std::size_t i = 0; i < w.scan.points.size(); ++i) {
     const Coordinate& c = coordinate_of(machine, w.scan.points[i]);
@@ -219,8 +220,8 @@ Table workspace_extent(const Workspace& w, const mechanics::Machine& machine) {
     std::vector<std::string> row{symbol(c.name)};
     if (w.proof && i < w.proof->low.size() && !w.proof->empty)
       row.insert(row.end(), {bracket(w.proof->low[i]), bracket(w.proof->high[i])});
-    else if (w.grid && !w.grid->low.empty())
-      row.insert(row.end(), {show(w.grid->low[i], c.unit), show(w.grid->high[i], c.unit)});
+    else if (const auto least = w.grid ? analysis::end_of_points(w, need, i, false) : std::nullopt)
+      row.insert(row.end(), {show(*least, c.unit), show(*analysis::end_of_points(w, need, i, true), c.unit)});
     else
       continue;
     row.push_back(w.grid && !w.grid->centroid.empty() ? show(w.grid->centroid[i], c.unit) : "-");
@@ -241,12 +242,14 @@ Table workspace_reasons(const Workspace& w) {
       {false, true, true, true, true, true},
       {}};
   if (tally == nullptr || tally->first.empty()) return t;
-  std::uint64_t left = tally->poses;
+  // Random poses are told by points, what refuses them by poses of all orientations.
+  const std::uint64_t all = w.grid ? tally->poses : tally->poses * w.scan.orientation_count();
+  std::uint64_t left = all;
   for (std::size_t m = 0; m < tally->first.size(); ++m) {
     left -= tally->first[m];
     if (tally->any[m] == 0) continue;
-    t.rows.push_back({w.margins.margins[m].name, count(tally->first[m]), share(tally->first[m], tally->poses), count(tally->any[m]),
-                      share(tally->any[m], tally->poses),
+    t.rows.push_back({w.margins.margins[m].name, count(tally->first[m]), share(tally->first[m], all), count(tally->any[m]),
+                      share(tally->any[m], all),
                       volume ? typeset(format_number(w.scan.cell() * static_cast<double>(left), 5)) : count(left)});
   }
   return t;

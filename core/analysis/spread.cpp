@@ -1,4 +1,4 @@
-#include <core/analysis/design/spread.hpp>
+#include <core/analysis/spread.hpp>
 
 #include <core/assertion.hpp>
 
