@@ -14,7 +14,7 @@ Result workspace_section(const Context& context, const WorkspaceOptions& options
   Result out;
   const std::string id =
       options.name.empty() ? context.number == 1 ? "workspace" : fmt::format("workspace-{}", context.number) : "workspace-" + options.name;
-  document::Section& s = out.section = {id, "workspace", "Workspace", {}};
+  document::Section& s = out.section = {id, "workspace", options.name.empty() ? "Workspace" : "Workspace: " + options.name, {}};
   Workspace w;
   try {
     analysis::WorkspaceRequest request = options.request;

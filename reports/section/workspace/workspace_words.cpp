@@ -73,7 +73,7 @@ std::string limits_words(const Workspace& w) {
       ++numbers[static_cast<std::size_t>(found - groups.begin())];
   }
   std::vector<std::string> parts;
-  for (std::size_t i = 0; i < groups.size(); ++i) parts.push_back(fmt::format("{} of {}", numbers[i], groups[i]));
+  for (std::size_t i = 0; i < groups.size(); ++i) parts.push_back(fmt::format("{} ({})", groups[i], numbers[i]));
   if (parts.empty()) return "No limit counts but that the mechanism can be assembled.";
   return fmt::format("A pose counts when the mechanism can be assembled there and all of these limits hold, ends included: {}.",
                      listed(parts, "and"));
@@ -224,7 +224,10 @@ Table workspace_extent(const Workspace& w, const mechanics::Machine& machine) {
       row.insert(row.end(), {show(*least, c.unit), show(*analysis::end_of_points(w, need, i, true), c.unit)});
     else
       continue;
-    row.push_back(w.grid && !w.grid->centroid.empty() ? show(w.grid->centroid[i], c.unit) : "-");
+    // A sum of numbers that cancel leaves rounding.
+    const scan::Axis& a = w.scan.points[i];
+    const auto clean = [&](double x) { return std::abs(x) < 1e-12 * std::max(std::abs(a.from), std::abs(a.to)) ? 0.0 : x; };
+    row.push_back(w.grid && !w.grid->centroid.empty() ? show(clean(w.grid->centroid[i]), c.unit) : "-");
     t.rows.push_back(std::move(row));
   }
   return t;
