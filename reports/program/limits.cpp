@@ -21,14 +21,6 @@ namespace {
 
 using analysis::Workspace;
 
-// Rounded towards home, so that what is printed, in whole thousandths, is proved too.
-double inward(double x, bool upper) {
-  constexpr double parts = 1e3;
-  double whole = upper ? std::floor(x * parts) : std::ceil(x * parts);
-  while (upper ? whole / parts > x : whole / parts < x) whole += upper ? -1 : 1;
-  return whole / parts;
-}
-
 struct Side {
   const Coordinate* coordinate;
   double low, high;  // in `unit`
@@ -39,10 +31,9 @@ std::vector<Side> sides_of(const Workspace& w, const mechanics::Machine& machine
   std::vector<Side> out;
   for (std::size_t i = 0; i < w.safe_axes.size(); ++i) {
     const Coordinate& c = machine.topology().coordinates[static_cast<std::size_t>(w.safe_axes[i].input)];
-    const bool length = c.sense() == Sense::linear;
-    const double per_si = length ? 1e3 : 180 / std::numbers::pi;
-    out.push_back(
-        {&c, inward(w.safe_box->sides[i].low * per_si, false), inward(w.safe_box->sides[i].high * per_si, true), length ? "mm" : "deg"});
+    const section::SafeEnd low = section::safe_end_of(w.safe_box->sides[i].low, c, false),
+                           high = section::safe_end_of(w.safe_box->sides[i].high, c, true);
+    out.push_back({&c, low.value, high.value, low.unit});
   }
   return out;
 }
@@ -102,6 +93,13 @@ std::optional<std::map<std::string, std::string>> axes_of(const std::string& tex
       tell("error: --axes: expected coordinates with letters of axes, such as alpha=c,beta=a; seen {}\n", in_quotes(part));
       return std::nullopt;
     }
+    const bool taken = std::ranges::any_of(out, [&](const auto& other) { return other.second == letter; });
+    const bool another = (letter == "x" || letter == "y" || letter == "z") && letter != name &&
+                         std::ranges::any_of(topology.coordinates, [&](const Coordinate& c) { return c.name == letter; });
+    if (taken || another) {
+      tell("error: --axes: axis {} would stand for two coordinates; give each its own letter\n", letter);
+      return std::nullopt;
+    }
     out[name] = letter;
     at = end + 1;
   }
@@ -154,6 +152,7 @@ int limits(const Options& options, bool (*stop)()) {
       status = gate_failed;
       continue;
     }
+    if (const std::string held = section::held_words(w, *loaded.machine); !held.empty()) fmt::print("# Held: {}.\n", held);
     if (!own->name.empty() && options.format != "toml") fmt::print("# Section {}\n", own->name);
     if (w.tool)
       fmt::print("# Of the tool point, in the platform's axes at ({:.3f}, {:.3f}, {:.3f}) mm.\n", 1e3 * w.tool->at()(0),

@@ -124,6 +124,10 @@ void prove(Workspace& w, const Progress& progress) {
 
 void find_safe_poses(Workspace& w, const mechanics::Machine& machine, const Progress& progress) {
   if (!w.home_inside || w.set.late.size > 0) return;
+  if (!w.request.orientation_list.empty()) {
+    w.safe_box = scan::SafeBox{}, w.safe_box->why = "its orientations would be a list; ranges of them have a box";
+    return;
+  }
   scan::Scan around = w.scan;
   around.orientations.clear(), around.turned.clear();
   around.at = home_of(w, machine);

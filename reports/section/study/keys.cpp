@@ -35,6 +35,9 @@ void read_variant(const Value& content, const Reading& r, O& options) {
   const Entry *name = table.need("name", "name = \"longer legs\""), *other = table.find("scenario"), *parameters = table.find("parameters");
   table.finish();
   if (name != nullptr) out.name = r.reader.text(name->value).value_or("");
+  constexpr std::size_t longest_name = 40;  // bytes: more leaves no room beside them in a figure
+  if (name != nullptr && (out.name.empty() || out.name.size() > longest_name))
+    diagnostics.add(name->value.place, fmt::format("expected a name of 1 to {} bytes, seen {}", longest_name, out.name.size()));
   if (name != nullptr && std::ranges::any_of(options.variants, [&](const StudiedVariant& v) { return v.name == out.name; }))
     diagnostics.add(name->value.place, fmt::format("a variant called {} stands before", in_quotes(out.name)));
   if (other != nullptr) {

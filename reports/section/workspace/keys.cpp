@@ -318,6 +318,14 @@ void complete_workspace(scenario::TableReader& table, const Reading& r, scenario
   for (const std::uint64_t n : request.at_least)
     if (count > 0 && static_cast<double>(n) > count)
       diagnostics.add(at_least->value.place, fmt::format("expected at most the {:.0f} orientations that there are, seen {}", count, n));
+  const bool proof_alone = request.methods == std::vector{ScanMethod::proof};
+  const auto is_index = [](const mechanics::AskedLimit& a) {
+    return std::holds_alternative<mechanics::AskedPressure>(a.what) || std::holds_alternative<mechanics::AskedCondition>(a.what) ||
+           std::holds_alternative<mechanics::AskedCompliance>(a.what);
+  };
+  if (const Entry* limit = table.find("limit"); limit != nullptr && proof_alone && std::ranges::any_of(request.limits.asked, is_index))
+    diagnostics.add(limit->place, "no proof looks at an index, and the section has no other method",
+                    "write method = \"grid\" or \"monte-carlo\", alone or besides");
   if (count > 0 && request.at_least.empty()) {
     request.at_least = {1};
     if (count > 1) request.at_least.push_back(static_cast<std::uint64_t>(count));

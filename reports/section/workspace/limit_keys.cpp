@@ -6,7 +6,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <limits>
 #include <numbers>
+#include <variant>
 
 namespace pmreport::section {
 
@@ -164,6 +167,19 @@ std::optional<mechanics::AskedLimit> read_limit(const Value& content, const Read
   if (!(out.min <= out.max)) {
     reader.diagnostics().add(min->value.place, "expected a least value below the most, seen one above it: no pose could keep both",
                              "exchange min and max");
+    return std::nullopt;
+  }
+  // Angles of lines, pressure angles and distances have ends of their own; a limit beyond them no pose could keep.
+  const double pi = std::numbers::pi;
+  const double most = std::holds_alternative<mechanics::AskedAngle>(out.what)      ? pi
+                      : std::holds_alternative<mechanics::AskedPressure>(out.what) ? pi / 2
+                                                                                   : std::numeric_limits<double>::infinity();
+  const bool is_length = std::holds_alternative<mechanics::AskedDistance>(out.what);
+  if ((std::isfinite(most) || is_length) && (out.max < 0 || out.min > most)) {
+    reader.diagnostics().add(
+        (out.max < 0 ? max : min)->value.place,
+        is_length ? "expected a distance of 0 or more, seen one below: no pose could keep it"
+                  : fmt::format("expected an angle from 0 to {:.0f} deg, seen one beyond: no pose could keep it", most * 180 / pi));
     return std::nullopt;
   }
   return out;

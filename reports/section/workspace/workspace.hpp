@@ -30,6 +30,14 @@ document::Data workspace_counts(const Workspace& w, const std::string& name);  /
 // A number of cubic metres, or of whatever unit, as a reader has it: "0.1876 m³", "2.61 m²·rad".
 std::string show_volume(double si, const std::string& unit, int digits = 5);
 std::string show_bracket(const program::Bounds& b, const std::string& unit);
+// "z = 920 mm and α = 0°": what the scan holds; empty: nothing.
+std::string held_words(const analysis::Workspace& w, const mechanics::Machine& machine);
+// An end of the safe box, rounded towards home to whole thousandths of a millimetre or of a degree.
+struct SafeEnd {
+  double value;
+  std::string unit;  // "mm", "deg"
+};
+SafeEnd safe_end_of(double si, const Coordinate& c, bool upper);
 std::string margin_words(const Workspace& w, int margin);  // "rho1 at its most"; of -1 "the scanned range"
 
 // Figures, pictures and files.

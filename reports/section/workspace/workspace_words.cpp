@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace pmreport::section {
 
@@ -37,20 +38,13 @@ const Coordinate& coordinate_of(const mechanics::Machine& machine, const scan::A
 }
 
 std::string scanned_words(const Workspace& w, const mechanics::Machine& machine) {
-  std::vector<std::string> ranges, held;
+  std::vector<std::string> ranges;
   for (const scan::Axis& a : w.scan.points) {
     const Coordinate& c = coordinate_of(machine, a);
     ranges.push_back(fmt::format("{} from {} to {}", symbol(c.name), show(a.from, c.unit), show(a.to, c.unit)));
   }
-  for (std::size_t i = 0; i < machine.topology().coordinates.size(); ++i) {
-    const int input = static_cast<int>(i);
-    const auto is = [&](const scan::Axis& a) { return a.input == input; };
-    if (std::ranges::any_of(w.scan.points, is) || std::ranges::find(w.scan.turned, input) != w.scan.turned.end()) continue;
-    const Coordinate& c = machine.topology().coordinates[i];
-    held.push_back(fmt::format("{} = {}", symbol(c.name), show(w.scan.at[i], c.unit)));
-  }
   std::string out = "Scanned: " + listed(ranges, "and");
-  if (!held.empty()) out += "; held: " + listed(held, "and");
+  if (const std::string held = held_words(w, machine); !held.empty()) out += "; held: " + held;
   if (!w.scan.orientations.empty()) out += fmt::format("; at every point {} orientations are tried", count(w.scan.orientation_count()));
   out += ".";
   if (w.tool) {
@@ -80,6 +74,27 @@ std::string limits_words(const Workspace& w) {
 }
 
 }  // namespace
+
+std::string held_words(const Workspace& w, const mechanics::Machine& machine) {
+  std::vector<std::string> held;
+  for (std::size_t i = 0; i < machine.topology().coordinates.size(); ++i) {
+    const int input = static_cast<int>(i);
+    const auto is = [&](const scan::Axis& a) { return a.input == input; };
+    if (std::ranges::any_of(w.scan.points, is) || std::ranges::find(w.scan.turned, input) != w.scan.turned.end()) continue;
+    const Coordinate& c = machine.topology().coordinates[i];
+    held.push_back(fmt::format("{} = {}", symbol(c.name), show(w.scan.at[i], c.unit)));
+  }
+  return listed(held, "and");
+}
+
+SafeEnd safe_end_of(double si, const Coordinate& c, bool upper) {
+  constexpr double parts = 1e3;
+  const bool length = c.sense() == Sense::linear;
+  const double x = si * (length ? 1e3 : 180 / std::numbers::pi);
+  double whole = upper ? std::floor(x * parts) : std::ceil(x * parts);
+  while (upper ? whole / parts > x : whole / parts < x) whole += upper ? -1 : 1;
+  return {whole / parts, length ? "mm" : "deg"};
+}
 
 std::string show_volume(double si, const std::string& unit, int digits) {
   return fmt::format("{} {}", typeset(format_number(si, digits)), typographic(unit));
@@ -199,7 +214,8 @@ Table workspace_volumes(const Workspace& w) {
     }
     if (m == ScanMethod::monte_carlo && w.estimate) {
       const double range = w.scan.range();
-      t.rows.push_back({"Monte Carlo, 95 %", number(range * w.estimate->share), number(range * w.estimate->low),
+      const std::string need = oriented ? fmt::format(", at least {}", count(w.request.at_least.front())) : "";
+      t.rows.push_back({"Monte Carlo, 95 %" + need, number(range * w.estimate->share), number(range * w.estimate->low),
                         number(range * w.estimate->high),
                         fmt::format("{} poses, {} accepted", count(w.estimate->tally.poses), count(w.estimate->tally.accepted))});
     }
@@ -272,12 +288,18 @@ Table safe_limits(const Workspace& w, const mechanics::Machine& machine) {
                                          typeset(format_number(w.safe_ball->radius, 4)));
     ball += fmt::format("; it is bound by {}.", margin_words(w, w.safe_ball->margin));
   }
-  t.caption = "Safe limits: every pose of this box around home keeps all limits, all coordinates at once. That is proved." + ball;
+  const std::string held = held_words(w, machine);
+  t.caption = fmt::format("Safe limits: every pose of this box around home keeps all limits, all coordinates at once{}. That is proved.{}",
+                          held.empty() ? "" : ", with " + held, ball);
   for (std::size_t i = 0; i < w.safe_axes.size(); ++i) {
     const Coordinate& c = coordinate_of(machine, w.safe_axes[i]);
+    const auto told = [&](double si, bool upper) {
+      const SafeEnd end = safe_end_of(si, c, upper);
+      return fmt::format("{} {}", typeset(fmt::format("{:.3f}", end.value)), end.unit == "deg" ? "°" : end.unit);
+    };
     const auto why = [&](int margin, bool sharp) { return margin_words(w, margin) + (sharp || margin < 0 ? "" : " (not proved farther)"); };
-    t.rows.push_back({symbol(c.name), show(w.safe_box->sides[i].low, c.unit, 5), why(w.safe_box->low_margin[i], w.safe_box->low_sharp[i]),
-                      show(w.safe_box->sides[i].high, c.unit, 5), why(w.safe_box->high_margin[i], w.safe_box->high_sharp[i])});
+    t.rows.push_back({symbol(c.name), told(w.safe_box->sides[i].low, false), why(w.safe_box->low_margin[i], w.safe_box->low_sharp[i]),
+                      told(w.safe_box->sides[i].high, true), why(w.safe_box->high_margin[i], w.safe_box->high_sharp[i])});
   }
   return t;
 }
