@@ -32,9 +32,9 @@ using Strings = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("displacement lists the pose, dependent coordinates after independent ones, then actuators and joint angles") {
+TEST_CASE("displacement lists the pose, dependent coordinates after independent ones, then actuators and motions of joints") {
   CHECK(headers(displacement_columns) == Strings{"x [m]", "alpha [rad]", "y [m]", "tilt [rad]", "l1 [m]", "q1 [rad]", "A1_deflection [rad]",
-                                                 "R5_angle [rad]", "U1_angle1 [rad]", "U1_angle2 [rad]"});
+                                                 "P1_travel [m]", "R5_angle [rad]", "U1_angle1 [rad]", "U1_angle2 [rad]"});
 }
 
 TEST_CASE("velocity lists rates, the platform's twist and how well the Jacobian is conditioned") {

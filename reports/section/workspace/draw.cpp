@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 namespace pmreport::section {
 
@@ -114,8 +115,12 @@ class Drawing {
       scan::Field field;
     };
     std::vector<Slice> slices;
+    std::set<std::pair<std::size_t, std::vector<double>>> drawn;  // planes that differ in what they scan alone are one
     for (const std::vector<double>& at : cuts())
       for (const auto& [first, second] : planes) {
+        std::vector<double> held = at;
+        for (const std::size_t a : {first, second}) held[static_cast<std::size_t>(w_.scan.points[a].input)] = 0;
+        if (!drawn.emplace(second, held).second) continue;
         context_.progress.stop_if_asked();
         const scan::Scan scan = part_of(w_, at, {first, second}, slice_points);
         slices.push_back({{coordinate(first), coordinate(second)}, held_words(at, first, second), scan, scan::sample_field(w_.set, scan)});
@@ -148,14 +153,28 @@ class Drawing {
         options_.map == "condition"
             ? "The condition number of the overall Jacobian, moments over the characteristic length, where poses are accepted."
             : "The determinant of the overall Jacobian, made dimensionless by the characteristic length, where poses are accepted.";
-    out_.blocks.emplace_back(std::move(figure));
-    if (!map.panels.empty()) out_.blocks.emplace_back(std::move(map));
+    add_in_parts(std::move(figure));
+    if (!map.panels.empty()) add_in_parts(std::move(map));
     if (w_.grid && !w_.scan.orientations.empty() && w_.scan.points.size() == 2) {
       figure::Figure counts{
           id_ + "-orientations", "How many of the orientations are accepted at each point.", "", figure::Width::column, 1, {}};
       counts.panels.push_back(
           counts_panel(w_.scan.points, w_.grid->accepted_at, {coordinate(0), coordinate(1)}, w_.scan.orientation_count()));
       out_.blocks.emplace_back(std::move(counts));
+    }
+  }
+
+  // So many panels that they stay readable in one figure, the others in figures of their own.
+  void add_in_parts(figure::Figure whole) {
+    constexpr std::size_t together = 4;
+    const std::vector<figure::Panel> panels = std::move(whole.panels);
+    for (std::size_t first = 0; first < panels.size(); first += together) {
+      figure::Figure part = whole;
+      if (first > 0) part.id += fmt::format("-{}", first / together + 1), part.caption += " (Continued.)";
+      if (!part.data.empty()) part.data = fmt::format("data/{}-slice-{}.csv", id_, first + 1);
+      const std::size_t last = std::min(panels.size(), first + together);
+      part.panels.assign(panels.begin() + static_cast<std::ptrdiff_t>(first), panels.begin() + static_cast<std::ptrdiff_t>(last));
+      out_.blocks.emplace_back(std::move(part));
     }
   }
 
