@@ -3,8 +3,8 @@
 
 #include <core/analysis/design/front.hpp>
 #include <core/analysis/design/optimise.hpp>
-#include <core/analysis/spread.hpp>
 #include <core/analysis/design/sweep.hpp>
+#include <core/analysis/spread.hpp>
 
 #include <tbb/global_control.h>
 
