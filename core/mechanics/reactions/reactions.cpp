@@ -121,13 +121,14 @@ std::vector<Vector6d> limb_wrenches(const Machine& machine, const State& state, 
 }
 
 JointReactions dense_reactions(const Machine& machine, const State& state, const GenericModel& model, const JointFrames& frames,
-                               const Loading& loading, double length) {
+                               const Loading& loading, double length, const VectorXd& more) {
   PMREPORT_ASSERT(state.status == PM_OK, "the state is that of an assembled pose");
   const Index rows = model.constraints.rows(), m = model.actuation.rows();
   MatrixXd all(rows + m, model.constraints.cols());
   all << model.constraints, model.actuation;
   MatrixXd system = per_length(std::move(all), length).transpose();
-  const VectorXd required = inertial_wrenches(machine, state) - applied_wrenches(machine, state, loading);
+  VectorXd required = inertial_wrenches(machine, state) - applied_wrenches(machine, state, loading);
+  if (more.size() > 0) required -= more;
   VectorXd right = required;
   // (1) for lambda and tau together. Moments count per length, and so do multipliers of couples: the norm of a solution is that of the
   // header. A couple has no force.

@@ -29,9 +29,10 @@ struct JointReactions {
 };
 
 // By one dense factorisation over all bodies: for any structure, and the judge of InverseDynamics.
-// `state.status` is PM_OK; `model` is its generic model; `length`: characteristic_length(machine) [m].
+// `state.status` is PM_OK; `model` is its generic model; `length`: characteristic_length(machine) [m]; `more`: further wrenches on the
+// bodies 1..n, stacked, each about the body's origin; empty: none.
 JointReactions dense_reactions(const Machine& machine, const State& state, const GenericModel& model, const JointFrames& frames,
-                               const Loading& loading, double length);
+                               const Loading& loading, double length, const Eigen::VectorXd& more = {});
 
 // A wrench (force; moment) in base axes by its components along the columns of `frame`.
 Vector6d in_axes(const Eigen::Matrix3d& frame, const Vector6d& wrench);
