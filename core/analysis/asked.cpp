@@ -27,6 +27,7 @@ Asked asked_by(const scenario::Scenario& s) {
   out.power_evidence = needs.power_evidence;
   out.drives = needs.drives;
   out.reactions = needs.reactions || bounds(s.limits.joint_force) || bounds(s.limits.joint_moment);
+  out.stiffness = needs.stiffness;
   return out;
 }
 

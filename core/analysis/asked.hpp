@@ -19,6 +19,7 @@ struct Asked {
   bool power_evidence = false;         // that power becomes energy
   bool drives = false;                 // what drives and motors must give; within forces in motion
   bool reactions = false;              // the wrench in every joint; within forces in motion
+  bool stiffness = false;              // deflection, indices of the compliance, frequencies
   bool singularities = true;           // where the motion meets one, or comes near it
 };
 

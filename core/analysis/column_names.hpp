@@ -43,13 +43,27 @@ enum class OfActuator {
   reflected_inertia
 };
 enum class OfJoint { force, moment };  // their sizes
-enum class OfPlatform { velocity, angular_velocity, acceleration, angular_acceleration };
+enum class OfPlatform { velocity, angular_velocity, acceleration, angular_acceleration, deflection, deflection_turn };
+enum class OfElement { axial, bending, torque, buckling, share };
+enum class OfStiffness {
+  deflection_size,  // of the tool, and of its parts
+  load_deflection,
+  weight_deflection,
+  inertia_deflection,
+  pF_max,
+  pF_min,
+  pT_max,
+  pT_min,
+  PhiT_max,
+  PhiT_min
+};
 enum class OfMachine { determinant, condition, total_power, load_power, kinetic_energy, potential_energy };
 
 // What stands behind the name of its actuator, and names the group of all actuators too: "motor_torque".
 std::string word_of(OfActuator what);
 // Of a vector: "angular_velocity"; its group is called alike.
 std::string word_of(OfPlatform vector);
+std::string word_of(OfElement what);
 // The group of what moves, of the kind "coordinate", "derived" or "actuator": its values "actuator", its rates "actuator_rate".
 std::string group_of(const std::string& kind, OfMotion what);
 
@@ -62,6 +76,9 @@ ColumnId column_of(const Constraint& constraint);
 ColumnId column_of(const Joint& joint, OfJoint what);     // "B1_force"
 ColumnId column_of(OfPlatform vector, std::size_t axis);  // "velocity_x"; `axis`: of the base, 0-2
 ColumnId column_of(OfMachine what);                       // "det_G", "total_power"
+ColumnId column_of(const Element& element, OfElement what);  // "leg1_axial"
+ColumnId column_of(OfStiffness what);                        // "pF_max"
+ColumnId frequency_column(int mode);                         // from 1: "frequency1"
 
 // Of limit number `limit` of a joint: "A1_deflection", "B5_angle", "U1_angle2".
 ColumnId joint_column(const Joint& joint, std::size_t limit);

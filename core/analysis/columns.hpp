@@ -18,6 +18,10 @@ std::vector<Column> dynamics_columns(const Topology& t);      // actuator forces
 std::vector<Column> drive_columns(const Topology& t);         // what drives and motors must give
 std::vector<Column> reaction_columns(const Topology& t);      // the wrench in every joint, and of every limb on the platform
 
+// Deflection of the tool, indices, frequencies; of every element its share, of every beam its internal forces. Those of a motion's loads come
+// first.
+std::vector<Column> stiffness_columns(const Topology& t);
+
 // Whether a joint of a kind transmits component c of a wrench in joint axes (joint_frame.hpp): 0-2 force, 3-5 moment about its centre.
 bool transmits(JointKind kind, int c);
 

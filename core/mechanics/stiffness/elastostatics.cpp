@@ -23,65 +23,71 @@ constexpr double no_energy = 1e-13;
 
 constexpr std::size_t unit_cases = 6;  // then weights, then the whole
 
-// Total wrench of the joints on the base, about its origin: what it stands on must carry.
-template <class F>
-Vector6d on_base(const Machine& m, const double* placement, F&& wrench_of) {
-  const Topology& t = m.topology();
-  Vector6d sum = Vector6d::Zero();
-  for (std::size_t j = 0; j < t.joints.size(); ++j) {
-    if (t.joints[j].a != 0 && t.joints[j].b != 0) continue;
-    int actuator = -1;
-    for (std::size_t i = 0; i < t.actuators.size(); ++i)
-      if (t.actuators[i].joint == static_cast<int>(j)) actuator = static_cast<int>(i);
-    Vector6d w = wrench_of(static_cast<int>(j), actuator);
-    const Vector3d centre(placement + m.layout().joint(static_cast<int>(j)));
-    w.tail<3>() += centre.cross(w.head<3>());
-    sum += t.joints[j].b == 0 ? w : Vector6d(-w);
+// Adds what passes through joint j, as seen by g on (force; moment about its centre), to a row of forces.
+struct Passing {
+  const SpringPlan& plan;
+  const double* placement;
+  const double* joints;
+  const double* actuators;
+  std::size_t count;
+
+  template <class Row>
+  void add(int joint, int actuator, const Vector6d& g, Row&& row) const {
+    const auto n = static_cast<Index>(count);
+    const double* w = joints + 6 * static_cast<std::size_t>(joint) * count;
+    for (int c = 0; c < 6; ++c)
+      if (g(c) != 0) row += g(c) * Eigen::Map<const Eigen::RowVectorXd>(w + static_cast<std::size_t>(c) * count, n);
+    if (actuator < 0 || actuators == nullptr) return;
+    const Machine& m = plan.machine();
+    const Vector3d axis(placement + m.layout().joint(joint) + 3);
+    const bool linear = m.topology().actuators[static_cast<std::size_t>(actuator)].sense() == Sense::linear;
+    const double along = linear ? g.head<3>().dot(axis) : g.tail<3>().dot(axis);
+    row += along * Eigen::Map<const Eigen::RowVectorXd>(actuators + static_cast<std::size_t>(actuator) * count, n);
   }
-  return sum;
-}
+
+  // What the base passes on to what it stands on, about its origin.
+  template <class Row>
+  void add_base(const Vector6d& g, Row&& row) const {
+    const Topology& t = plan.machine().topology();
+    for (std::size_t j = 0; j < t.joints.size(); ++j) {
+      if (t.joints[j].a != 0 && t.joints[j].b != 0) continue;
+      const int joint = static_cast<int>(j);
+      const Vector3d centre(placement + plan.machine().layout().joint(joint));
+      Vector6d here = g;  // g . (F; M + centre x F)
+      here.head<3>() += g.tail<3>().cross(centre);
+      add(joint, plan.actuator_of(joint), t.joints[j].b == 0 ? here : Vector6d(-here), row);
+    }
+  }
+};
 
 }  // namespace
 
-Eigen::VectorXd spring_forces(const SpringPlan& plan, const SpringPlan::AtPose& parts, const double* placement, const double* joints,
-                              const double* actuators, std::size_t stride, const Vector6d& load) {
-  const Machine& m = plan.machine();
-  const auto wrench_of = [&](int joint, int actuator) {
-    Vector6d w;
-    for (std::size_t c = 0; c < 6; ++c) w(static_cast<Index>(c)) = joints[(6 * static_cast<std::size_t>(joint) + c) * stride];
-    if (actuator >= 0 && actuators != nullptr) {
-      const Vector3d axis(placement + m.layout().joint(joint) + 3);
-      const Vector3d drive = axis * actuators[static_cast<std::size_t>(actuator) * stride];
-      if (m.topology().actuators[static_cast<std::size_t>(actuator)].sense() == Sense::linear)
-        w.head<3>() += drive;
-      else
-        w.tail<3>() += drive;
-    }
-    return w;
-  };
-  VectorXd q(static_cast<Index>(parts.springs.size()));
+void spring_forces(const SpringPlan& plan, const SpringPlan::AtPose& parts, const double* placement, std::size_t count,
+                   const double* joints, const double* actuators, const double* loads, ForceRows& out) {
+  const Passing passing{plan, placement, joints, actuators, count};
+  const auto n = static_cast<Index>(count);
+  out.setZero(static_cast<Index>(parts.springs.size()), n);
   for (std::size_t i = 0; i < parts.springs.size(); ++i) {
     const Spring& s = parts.springs[i];
-    double& force = q(static_cast<Index>(i));
+    auto row = out.row(static_cast<Index>(i));
     switch (s.of) {
       case Spring::Of::actuator:
-        force = actuators != nullptr ? actuators[static_cast<std::size_t>(s.actuator) * stride] : 0;
+        if (actuators != nullptr) row = Eigen::Map<const Eigen::RowVectorXd>(actuators + static_cast<std::size_t>(s.actuator) * count, n);
         break;
-      case Spring::Of::platform:
-        force = -s.g.dot(load);  // what the platform pushes back with
+      case Spring::Of::platform:  // it pushes back
+        for (std::size_t c = 0; c < 6 && loads != nullptr; ++c)
+          row -= s.g(static_cast<Index>(c)) * Eigen::Map<const Eigen::RowVectorXd>(loads + c * count, n);
         break;
       case Spring::Of::base:
-        force = -s.g.dot(on_base(m, placement, wrench_of));
+        passing.add_base(-s.g, row);
         break;
       case Spring::Of::joints:
-        force = 0;
         for (int k = s.first; k < s.first + s.terms; ++k) {
           const SpringTerm& term = parts.terms[static_cast<std::size_t>(k)];
-          force += term.g.dot(wrench_of(term.joint, term.actuator));
+          passing.add(term.joint, term.actuator, term.g, row);
         }
     }
   }
-  return q;
 }
 
 Settled settled(const std::vector<Spring>& springs, const MatrixXd& stresses, const MatrixXd& forces, bool strained) {
@@ -194,18 +200,19 @@ void Elastostatics::solve_one(const double* jets, std::size_t stride, const Vect
   plan_.at(placement_.data(), 1, out.parts);
   const std::vector<Spring>& springs = out.parts.springs;
   const auto n = static_cast<Index>(springs.size());
-  MatrixXd forces(n, static_cast<Index>(cases_)), stresses(n, reactions_.stress_count);
-  for (std::size_t c = 0; c < cases_; ++c) {
-    Vector6d on_platform = Vector6d::Zero();
-    if (c < unit_cases) on_platform(static_cast<Index>(c)) = 1;
-    if (wanted.loads && c == whole) on_platform = load;
-    forces.col(static_cast<Index>(c)) = spring_forces(plan_, out.parts, placement_.data(), reactions_.joints.data() + c,
-                                                      reactions_.actuator_forces.data() + c, cases_, on_platform);
+  if (wanted.loads || !machine_.elasticity().platform.isZero(0))
+    for (std::size_t c = 0; c < unit_cases; ++c) loads_[c * cases_ + c] = 1;  // as the platform meets them
+  spring_forces(plan_, out.parts, placement_.data(), cases_, reactions_.joints.data(), reactions_.actuator_forces.data(), loads_.data(),
+                forces_);
+  const ForceRows& forces = forces_;
+  MatrixXd stresses(n, reactions_.stress_count);
+  for (int s = 0; s < reactions_.stress_count; ++s) {  // the same in every case
+    const double* of = reactions_.stresses.data() + static_cast<std::size_t>(s) * 6 * t.joints.size() * cases_;
+    stress_.resize(6 * t.joints.size());
+    for (std::size_t i = 0; i < stress_.size(); ++i) stress_[i] = of[i * cases_];
+    spring_forces(plan_, out.parts, placement_.data(), 1, stress_.data(), nullptr, nullptr, stress_forces_);
+    stresses.col(s) = stress_forces_;
   }
-  for (int s = 0; s < reactions_.stress_count; ++s)
-    stresses.col(s) = spring_forces(plan_, out.parts, placement_.data(),
-                                    reactions_.stresses.data() + static_cast<std::size_t>(s) * 6 * t.joints.size() * cases_, nullptr,
-                                    cases_, Vector6d::Zero());
   if (!forces.allFinite() || !stresses.allFinite()) return;
 
   VectorXd c(n), strain(n);
@@ -220,8 +227,10 @@ void Elastostatics::solve_one(const double* jets, std::size_t stride, const Vect
   out.compliance = (0.5 * (out.compliance + out.compliance.transpose())).eval();
   out.by_strain = out.unit.transpose() * strain;
   if (wanted.loads) {
-    const Settled at_load = settled(springs, stresses, forces.col(static_cast<Index>(whole)), true);
-    out.forces = forces.col(static_cast<Index>(whole)) + stresses * at_load.shares;
+    const MatrixXd whole_forces = forces.col(static_cast<Index>(whole));
+    out.loaded = whole_forces + stresses * settled(springs, stresses, whole_forces, false).shares;
+    const bool strained = !strain.isZero(0);
+    out.forces = strained ? VectorXd(whole_forces + stresses * settled(springs, stresses, whole_forces, true).shares) : out.loaded;
     out.by_weights = weighted.transpose() * forces.col(unit_cases);
     out.deflection = weighted.transpose() * forces.col(static_cast<Index>(whole));
     out.by_load = out.compliance * load;

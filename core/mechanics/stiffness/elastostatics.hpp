@@ -36,10 +36,17 @@ struct ElasticPose {
   Vector6d by_load = Vector6d::Zero(), by_weights = Vector6d::Zero(), by_inertia = Vector6d::Zero();  // its shares
   Vector6d by_strain = Vector6d::Zero();         // of temperature and misfits, no part of it
   Eigen::VectorXd forces;                        // in the springs under load, weights, inertia and strain
+  Eigen::VectorXd loaded;  // the same without strain: what deflects
   Matrix6d inertia = Matrix6d::Zero();           // (5), by wrenches: with the platform's, and that of the limbs where it was asked for
   Matrix6d platform_inertia = Matrix6d::Zero();  // (5) of the platform alone
   int settled = 0, open = 0;                     // self-stresses that the elements settle, and that they leave open
 };
+
+// Forces in the springs of one pose, a column a case, by the joints' wrenches without actuators' forces, number i of case k at
+// [i * count + k], and likewise actuators' forces and loads on the platform; null: none of these.
+using ForceRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+void spring_forces(const SpringPlan& plan, const SpringPlan::AtPose& parts, const double* placement, std::size_t count,
+                   const double* joints, const double* actuators, const double* loads, ForceRows& out);
 
 class Elastostatics {
  public:
@@ -65,15 +72,11 @@ class Elastostatics {
   const Machine& machine_;
   SpringPlan plan_;
   InverseDynamics dynamics_;
-  std::vector<double> placement_, jets_, loads_, wrenches_;
+  std::vector<double> placement_, jets_, loads_, wrenches_, stress_;
+  ForceRows forces_, stress_forces_;
   MotionReactions reactions_;
   std::size_t cases_ = 0;
 };
-
-// Forces in springs by joint wrenches without actuators' forces, number i of `joints` at [i * stride], and actuators' forces likewise;
-// null: none.
-Eigen::VectorXd spring_forces(const SpringPlan& plan, const SpringPlan::AtPose& parts, const double* placement, const double* joints,
-                              const double* actuators, std::size_t stride, const Vector6d& load);
 
 // Shares of the self-stresses: (2) with q for Q_0 w. Stresses without energy get none, and are counted.
 struct Settled {

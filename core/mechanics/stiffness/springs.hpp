@@ -70,6 +70,7 @@ class SpringPlan {
   void at(const double* placement, std::size_t stride, AtPose& out) const;
 
   const Machine& machine() const { return machine_; }
+  int actuator_of(int joint) const { return actuator_of_joint_[static_cast<std::size_t>(joint)]; }  // -1: none
 
  private:
   struct Passed {  // W_j of a joint, as what its root's side, or the joint itself, exerts on the beam's bodies
