@@ -17,6 +17,7 @@ using analysis::stiffness_columns;
 namespace {
 
 constexpr std::size_t most_curves = 6;
+constexpr double drawn = 1e-5;  // of the largest axial force, times the size of the machine: moments below it are no curve worth a panel
 
 bool any(const Analysis& a, const ColumnId& id) {
   return a.has(id) && std::ranges::any_of(a.column(id), [](double x) { return std::isfinite(x) && x != 0; });
@@ -54,13 +55,18 @@ std::vector<figure::Figure> motion_figures(const Analysis& a) {
   std::vector<figure::Figure> out;
   const auto id = [](analysis::OfStiffness what) { return column_of(what); };
   if (any(a, id(analysis::OfStiffness::deflection_size))) {
-    figure::Figure f = empty("deflection", "Deflection of the tool under load, weights and inertia: (a) its size and that of its parts; (b) its components.");
+    figure::Figure f = empty(
+        "deflection", "Deflection of the tool under load, weights and inertia: (a) its size and that of its parts; (b) its components.");
     std::vector<Trace> parts{{id(analysis::OfStiffness::deflection_size), "all"}};
-    for (const auto& [what, word] : {std::pair{analysis::OfStiffness::load_deflection, "load"}, {analysis::OfStiffness::weight_deflection, "weights"},
+    for (const auto& [what, word] : {std::pair{analysis::OfStiffness::load_deflection, "load"},
+                                     {analysis::OfStiffness::weight_deflection, "weights"},
                                      {analysis::OfStiffness::inertia_deflection, "inertia"}})
       if (any(a, id(what))) parts.push_back({id(what), word});
     f.panels.push_back(panel(a, "size", "deflection", "m", parts));
-    f.panels.push_back(panel(a, "components", "deflection", "m", group(a, stiffness_columns, "deflection")));
+    std::vector<Trace> components;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      components.push_back({column_of(analysis::OfPlatform::deflection, axis), std::string(1, "xyz"[axis])});
+    f.panels.push_back(panel(a, "components", "deflection", "m", components));
     out.push_back(std::move(f));
 
     std::size_t left = 0;
@@ -72,8 +78,11 @@ std::vector<figure::Figure> motion_figures(const Analysis& a) {
     }
   }
   {
-    figure::Figure f = empty("compliance", "Largest and smallest translation by a unit force pF, rotation by a unit force pT, rotation by a unit moment ΦT; natural frequencies.");
-    for (const auto& [name, unit, title] : {std::tuple{"pF", "m/N", "translation by force"}, {"pT", "1/N", "rotation by force, translation by moment"},
+    figure::Figure f = empty("compliance",
+                             "Largest and smallest translation by a unit force pF, rotation by a unit force pT, rotation by a unit moment "
+                             "ΦT; natural frequencies.");
+    for (const auto& [name, unit, title] : {std::tuple{"pF", "m/N", "translation by force"},
+                                            {"pT", "1/N", "rotation by force, translation by moment"},
                                             {"PhiT", "rad/N/m", "rotation by moment"}}) {
       auto curves = group(a, stiffness_columns, name);
       for (Trace& c : curves) c.label = c.column.name().ends_with("max") ? "largest" : "smallest";
@@ -87,7 +96,8 @@ std::vector<figure::Figure> motion_figures(const Analysis& a) {
     if (!f.panels.empty()) out.push_back(std::move(f));
   }
   figure::Figure beams = empty("beam-forces", "What beams carry: axial force (tension positive), largest bending moment, torque.");
-  for (const auto& [what, title, unit] : {std::tuple{analysis::OfElement::axial, "axial force", "N"}, {analysis::OfElement::bending, "bending moment", "N*m"},
+  for (const auto& [what, title, unit] : {std::tuple{analysis::OfElement::axial, "axial force", "N"},
+                                          {analysis::OfElement::bending, "bending moment", "N*m"},
                                           {analysis::OfElement::torque, "torque", "N*m"}}) {
     std::size_t left = 0;
     const auto curves = of_elements(a, what, left);
@@ -96,7 +106,7 @@ std::vector<figure::Figure> motion_figures(const Analysis& a) {
     for (const Trace& c : curves) largest = std::max(largest, peak(a, c.column));
     for (const Element& e : a.machine().topology().elements)
       if (e.kind == ElementKind::beam) force = std::max(force, peak(a, column_of(e, analysis::OfElement::axial)));
-    if (curves.empty() || largest < 1e-9 * force * scale) continue;
+    if (curves.empty() || largest < drawn * force * scale) continue;
     beams.panels.push_back(panel(a, title, title, unit, curves));
     if (left > 0) beams.caption += fmt::format(" Of {} the {} largest of {}.", title, curves.size(), curves.size() + left);
   }
@@ -107,8 +117,8 @@ std::vector<figure::Figure> motion_figures(const Analysis& a) {
 document::Table motion_extremes(const Analysis& a) {
   std::vector<Column> told;
   for (const Column& c : a.columns_of(stiffness_columns)) {
-    const bool mine = c.group == "deflection_size" || c.group == "deflection_share" || c.group == "pF" || c.group == "pT" || c.group == "PhiT" ||
-                      (c.group == "frequency" && c.name <= "frequency3") || c.group == "beam_buckling";
+    const bool mine = c.group == "deflection_size" || c.group == "deflection_share" || c.group == "pF" || c.group == "pT" ||
+                      c.group == "PhiT" || (c.group == "frequency" && c.name <= "frequency3");
     if (mine && any(a, c)) told.push_back(c);
   }
   return extremes(a, "Extremes along the motion.", told);

@@ -75,10 +75,12 @@ std::vector<scene::Polyline> at_rest(const mechanics::Machine& m, const mechanic
 
 }  // namespace
 
-Stage::Ordered mode_picture(const Analysis& a, const StiffnessRequest& request, const ElasticView& view, const Stage& stage, std::size_t number) {
+Stage::Ordered mode_picture(const Analysis& a, const StiffnessRequest& request, const ElasticView& view, const Stage& stage,
+                            std::size_t number) {
   static const View isometric{"isometric", std::numbers::pi / 4, std::atan(1 / std::numbers::sqrt2)};
   const mechanics::Machine& m = a.machine();
-  const auto all = mechanics::modes(view.pose.compliance, request.limb_inertia ? view.pose.inertia : view.pose.platform_inertia, a.length());
+  const auto all =
+      mechanics::modes(view.pose.compliance, request.limb_inertia ? view.pose.inertia : view.pose.platform_inertia, a.length());
   const mechanics::Mode& mode = all.front();
   const mechanics::State state = state_at_rest(m, view.q);
   // The wrench on the platform that bends the machine into the shape; of the shapes of unit wrenches, that sum.

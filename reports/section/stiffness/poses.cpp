@@ -31,18 +31,21 @@ std::string pose_words(const Analysis& a, const Eigen::VectorXd& q) {
 
 // One unit an index, over all poses.
 Table index_table(const Analysis& a, const std::vector<ElasticView>& views) {
-  Table out{"Deformation indices: largest and smallest singular value of the blocks of the compliance. Rotation by force is translation by moment, "
-            "transposed, and has the same.",
-            {"pose", "where"},
-            {false, false},
-            {}};
+  Table out{
+      "Deformation indices: largest and smallest singular value of the blocks of the compliance. Rotation by force is translation by "
+      "moment, "
+      "transposed, and has the same.",
+      {"pose", "where"},
+      {false, false},
+      {}};
   std::vector<std::vector<double>> values;
   for (const ElasticView& v : views) {
     const auto i = mechanics::deformation_indices(v.tool.compliance);
     values.push_back({i.pF_max, i.pF_min, i.pT_max, i.pT_min, i.PhiT_max, i.PhiT_min});
     out.rows.push_back({v.name, pose_words(a, v.q)});
   }
-  const std::array names{"pF max", "pF min", "pT max", "pT min", "ΦT max", "ΦT min"}, units{"m/N", "m/N", "1/N", "1/N", "rad/N/m", "rad/N/m"};
+  const std::array names{"pF max", "pF min", "pT max", "pT min", "ΦT max", "ΦT min"},
+      units{"m/N", "m/N", "1/N", "1/N", "rad/N/m", "rad/N/m"};
   for (std::size_t k = 0; k < names.size(); ++k) {
     double largest = 0;
     const std::size_t pair = k / 2 * 2;
@@ -60,11 +63,13 @@ Table index_table(const Analysis& a, const std::vector<ElasticView>& views) {
 
 Table budget_table(const Analysis& a, const std::vector<ElasticView>& views) {
   const auto& elements = a.machine().topology().elements;
-  Table out{"Compliance budget: share of every element in the deflection of the tool, under load or by a unit force along the direction in which it "
-            "gives most. The first to make stiffer stands first.",
-            {"element"},
-            {false},
-            {}};
+  Table out{
+      "Compliance budget: share of every element in the deflection of the tool, under load or by a unit force along the direction in which "
+      "it "
+      "gives most. The first to make stiffer stands first.",
+      {"element"},
+      {false},
+      {}};
   std::vector<std::vector<double>> columns;
   for (const ElasticView& v : views) {
     if (v.loaded && v.tool.deflection.head<3>().norm() > 0) {
@@ -73,7 +78,8 @@ Table budget_table(const Analysis& a, const std::vector<ElasticView>& views) {
     }
     Eigen::Vector3d softest;
     columns.push_back(analysis::budget_of_softest(a.machine(), v.pose, v.tool, &softest));
-    out.headings.push_back(fmt::format("{}, softest ({}, {}, {}) [%]", v.name, number(softest.x() + 0.0, 2), number(softest.y() + 0.0, 2), number(softest.z() + 0.0, 2)));
+    out.headings.push_back(fmt::format("{}, softest ({}, {}, {}) [%]", v.name, number(softest.x() + 0.0, 2), number(softest.y() + 0.0, 2),
+                                       number(softest.z() + 0.0, 2)));
   }
   out.numeric.resize(out.headings.size(), true);
   std::vector<std::size_t> order(elements.size() + 1);
@@ -95,16 +101,20 @@ Table budget_table(const Analysis& a, const std::vector<ElasticView>& views) {
     out.rows.push_back({e < elements.size() ? elements[e].name : "base and platform"});
     for (const auto& c : columns) out.rows.back().push_back(std::isfinite(c[e]) ? typeset(fmt::format("{:.1f}", 100 * c[e] + 0.0)) : "");
   }
-  if (small > 0) out.caption += fmt::format(" {} with less than 0.05 % everywhere {} left out.", plural(static_cast<int>(small), "element"), small == 1 ? "is" : "are");
+  if (small > 0)
+    out.caption += fmt::format(" {} with less than 0.05 % everywhere {} left out.", plural(static_cast<int>(small), "element"),
+                               small == 1 ? "is" : "are");
   return out;
 }
 
 Table mode_table(const Analysis& a, const std::vector<ElasticView>& views) {
-  Table out{"Natural frequencies [Hz]: of the platform on massless limbs, and with the limbs' masses, which follow the platform as they do statically "
-            "(Guyan).",
-            {"pose", "limbs"},
-            {false, false},
-            {}};
+  Table out{
+      "Natural frequencies [Hz]: of the platform on massless limbs, and with the limbs' masses, which follow the platform as they do "
+      "statically "
+      "(Guyan).",
+      {"pose", "limbs"},
+      {false, false},
+      {}};
   std::size_t most = 0;
   for (const ElasticView& v : views)
     for (const bool limbs : {true, false}) {
@@ -120,7 +130,8 @@ Table mode_table(const Analysis& a, const std::vector<ElasticView>& views) {
 
 // An axis by where it is nearest to the tool, and its direction.
 Table screw_table(const Analysis&, const ElasticView& v, const Matrix6d& stiffness) {
-  Table out{fmt::format("Eigenscrews of the stiffness at {}: twists whose wrench lies on their own screw (force λω, moment λv), seen from the tool. Those "
+  Table out{fmt::format("Eigenscrews of the stiffness at {}: twists whose wrench lies on their own screw (force λω, moment λv), seen from "
+                        "the tool. Those "
                         "of the compliance are the same, with 1/λ.",
                         v.name),
             {"λ [N/µrad]", "pitch [mm]", "direction", "nearest point [mm]"},
@@ -145,23 +156,30 @@ Table beam_table(const Analysis& a, const ElasticView& v) {
   double force = 0, moment = 0;
   for (const auto& f : forces) force = std::max(force, std::abs(f.axial)), moment = std::max({moment, f.bending, f.torque});
   const DisplayUnit n = display_unit("N", force), nm = display_unit("N*m", moment);
-  Table out{fmt::format("What beams carry at {}: axial force (tension positive), largest bending moment, torque; and the load at which they would "
-                        "buckle, by Euler with length and end conditions as declared, over their compression.",
-                        v.name),
-            {"beam", fmt::format("axial [{}]", n.label), fmt::format("bending [{}]", nm.label), fmt::format("torque [{}]", nm.label), "buckles at",
-             "times its compression", "buckling length"},
+  Table out{fmt::format(
+                "What beams carry at {}: axial force (tension positive), largest bending moment, torque; and the load at which they would "
+                "buckle, by Euler with length and end conditions as declared, over their compression.",
+                v.name),
+            {"beam", fmt::format("axial [{}]", n.label), fmt::format("bending [{}]", nm.label), fmt::format("torque [{}]", nm.label),
+             "buckles at", "times its compression", "buckling length"},
             {false, true, true, true, true, true, false},
             {}};
-  const auto shown = [](double x, double largest, const DisplayUnit& u) { return std::abs(x) < 1e-9 * largest ? "0" : number(x * u.per_si); };
+  const auto shown = [](double x, double largest, const DisplayUnit& u) {
+    return std::abs(x) < 1e-9 * largest ? "0" : number(x * u.per_si);
+  };
   for (std::size_t e = 0; e < elements.size(); ++e) {
     if (elements[e].kind != ElementKind::beam) continue;
     const double critical = mechanics::buckling_load(elements[e], v.pose.parts.lengths[e]);
     const bool compressed = forces[e].axial < -1e-9 * force;
     const double k = elements[e].buckling_length;
-    const std::string ends = k == 0 ? "not slender" : k == 1 ? "1 L, hinged ends" : k == 2 ? "2 L, one end free" : fmt::format("{} L", number(k, 3));
-    out.rows.push_back({elements[e].name, shown(forces[e].axial, force, n), shown(forces[e].bending, std::max(moment, 1e-9 * force * a.length()), nm),
-                        shown(forces[e].torque, std::max(moment, 1e-9 * force * a.length()), nm), std::isfinite(critical) ? show(critical, "N", 3) : "",
-                        compressed && std::isfinite(critical) ? number(-critical / forces[e].axial, 3) : "", ends});
+    const std::string ends = k == 0   ? "not slender"
+                             : k == 1 ? "1 L, hinged ends"
+                             : k == 2 ? "2 L, one end free"
+                                      : fmt::format("{} L", number(k, 3));
+    out.rows.push_back(
+        {elements[e].name, shown(forces[e].axial, force, n), shown(forces[e].bending, std::max(moment, 1e-9 * force * a.length()), nm),
+         shown(forces[e].torque, std::max(moment, 1e-9 * force * a.length()), nm), std::isfinite(critical) ? show(critical, "N", 3) : "",
+         compressed && std::isfinite(critical) ? number(-critical / forces[e].axial, 3) : "", ends});
   }
   return out;
 }
@@ -172,15 +190,18 @@ Table displacement_table(const std::vector<ElasticView>& views) {
             {false, false, true, true, true, true, true, true, true},
             {}};
   for (const ElasticView& v : views)
-    for (const auto& [word, d] : {std::pair{"load, weights, inertia", &v.tool.deflection}, {"load", &v.tool.by_load}, {"weights", &v.tool.by_weights},
-                                  {"inertia", &v.tool.by_inertia}, {"warming and misfits", &v.tool.by_strain}}) {
+    for (const auto& [word, d] : {std::pair{"load, weights, inertia", &v.tool.deflection},
+                                  {"load", &v.tool.by_load},
+                                  {"weights", &v.tool.by_weights},
+                                  {"inertia", &v.tool.by_inertia},
+                                  {"warming and misfits", &v.tool.by_strain}}) {
       const bool strain = d == &v.tool.by_strain;
       if ((!v.loaded && !strain) || d->isZero(1e-15)) continue;
       const double size = d->head<3>().norm(), turn = d->tail<3>().norm();
       out.rows.push_back({v.name, word});
-      for (int k = 0; k < 3; ++k) out.rows.back().push_back(std::abs((*d)(k)) < 1e-9 * size ? "0" : number((*d)(k) * 1e6));
+      for (int k = 0; k < 3; ++k) out.rows.back().push_back(std::abs((*d)(k)) < 1e-9 * size ? "0" : number((*d)(k)*1e6));
       out.rows.back().push_back(number(size * 1e6));
-      for (int k = 3; k < 6; ++k) out.rows.back().push_back(std::abs((*d)(k)) < 1e-9 * turn ? "0" : number((*d)(k) * 1e6));
+      for (int k = 3; k < 6; ++k) out.rows.back().push_back(std::abs((*d)(k)) < 1e-9 * turn ? "0" : number((*d)(k)*1e6));
     }
   return out;
 }
@@ -208,29 +229,32 @@ Table matrix_table(const Matrix6d& m, bool stiffness, const std::string& caption
 std::vector<document::Block> pose_blocks(const Analysis& a, const StiffnessRequest& request, const std::vector<ElasticView>& views) {
   std::vector<document::Block> out;
   if (views.empty()) return out;
-  out.push_back(index_table(a, views));
-  if (Table t = displacement_table(views); !t.rows.empty()) out.push_back(std::move(t));
-  out.push_back(budget_table(a, views));
-  out.push_back(mode_table(a, views));
+  out.emplace_back(index_table(a, views));
+  if (Table t = displacement_table(views); !t.rows.empty()) out.emplace_back(std::move(t));
+  out.emplace_back(budget_table(a, views));
+  out.emplace_back(mode_table(a, views));
   const char* axes = request.platform_axes ? "platform axes" : "base axes";
   for (const ElasticView& v : views) {
-    out.push_back(matrix_table(v.tool.compliance, false,
-                               fmt::format("Compliance at {}, {}: translations [µm] and rotations [µrad] by a unit force [N] and moment [N·m].", v.name, axes)));
+    out.emplace_back(matrix_table(
+        v.tool.compliance, false,
+        fmt::format("Compliance at {}, {}: translations [µm] and rotations [µrad] by a unit force [N] and moment [N·m].", v.name, axes)));
     const auto stiffness = mechanics::stiffness_of(v.tool.compliance, a.length());
     if (!stiffness) {
-      out.push_back(document::Paragraph{
+      out.emplace_back(document::Paragraph{
           document::Paragraph::Tone::note,
-          fmt::format("At {} the platform gives way in {} of 6 directions. In the others it is held rigidly, and there is no stiffness matrix.",
-                      v.name, mechanics::rank_of(v.tool.compliance, a.length()))});
+          fmt::format(
+              "At {} the platform gives way in {} of 6 directions. In the others it is held rigidly, and there is no stiffness matrix.",
+              v.name, mechanics::rank_of(v.tool.compliance, a.length()))});
       continue;
     }
-    out.push_back(matrix_table(*stiffness, true,
-                               fmt::format("Stiffness at {}, {}: forces [N] and moments [N·m] by a translation of 1 µm and a rotation of 1 µrad.", v.name, axes)));
-    out.push_back(screw_table(a, v, *stiffness));
+    out.emplace_back(matrix_table(
+        *stiffness, true,
+        fmt::format("Stiffness at {}, {}: forces [N] and moments [N·m] by a translation of 1 µm and a rotation of 1 µrad.", v.name, axes)));
+    out.emplace_back(screw_table(a, v, *stiffness));
   }
   for (const ElasticView& v : views)
     if (v.loaded && std::ranges::any_of(a.machine().topology().elements, [](const Element& e) { return e.kind == ElementKind::beam; }))
-      out.push_back(beam_table(a, v));
+      out.emplace_back(beam_table(a, v));
   return out;
 }
 

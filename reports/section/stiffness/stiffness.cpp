@@ -87,21 +87,26 @@ double extreme(const Analysis& a, const ColumnId& id, bool largest) {
 
 std::string definition(const Analysis& a, const StiffnessRequest& request) {
   std::string out =
-      "A unit force or moment on the platform is carried by the joints; what passes through them loads the elements. Their complementary energy, "
+      "A unit force or moment on the platform is carried by the joints; what passes through them loads the elements. Their complementary "
+      "energy, "
       "made least over the self-stresses, gives the compliance C = QᵀcQ, Q the forces in all elements, c their compliances (Castigliano, "
-      "Menabrea). Displacements are small, elements unloaded, no geometric stiffness; beams follow Euler and Bernoulli, actuators are locked. ";
+      "Menabrea). Displacements are small, elements unloaded, no geometric stiffness; beams follow Euler and Bernoulli, actuators are "
+      "locked. ";
   out += request.tool.isZero(0) ? "Told is the platform's reference point"
-                                : fmt::format("Told is the tool, ({}, {}, {}) from the reference point in the platform's axes", show(request.tool.x(), "m"),
-                                              show(request.tool.y(), "m"), show(request.tool.z(), "m"));
+                                : fmt::format("Told is the tool, ({}, {}, {}) from the reference point in the platform's axes",
+                                              show(request.tool.x(), "m"), show(request.tool.y(), "m"), show(request.tool.z(), "m"));
   out += fmt::format(", in {} axes.", request.platform_axes ? "platform" : "base");
-  if (const double warmer = a.machine().elasticity().warmer; warmer != 0) out += fmt::format(" Beams and rails are {} K warmer than when they were measured.", typeset(format_number(warmer, 4)));
+  if (const double warmer = a.machine().elasticity().warmer; warmer != 0)
+    out += fmt::format(" Beams and rails are {} K warmer than when they were measured.", typeset(format_number(warmer, 4)));
   return out;
 }
 
 // What bending is worth: pF_max here, by that of the same beams bent by no force across them. NaN: no beam bends.
 double bending_factor(const Analysis& a, const StiffnessRequest& request, const ElasticView& home) {
   const auto& elements = a.machine().topology().elements;
-  if (!home.pose.known || std::ranges::none_of(elements, [](const Element& e) { return e.kind == ElementKind::beam && e.bends == Bending::full; })) return nan;
+  if (!home.pose.known ||
+      std::ranges::none_of(elements, [](const Element& e) { return e.kind == ElementKind::beam && e.bends == Bending::full; }))
+    return nan;
   const auto plain = a.machine().with(a.machine().values());
   mechanics::ElasticSettings settings = a.machine().elasticity();
   settings.bends = Bending::couples;
@@ -114,6 +119,22 @@ double bending_factor(const Analysis& a, const StiffnessRequest& request, const 
   return without > 0 ? mechanics::deformation_indices(home.tool.compliance).pF_max / without : nan;
 }
 
+// The beam that comes nearest to buckling along the motion, and when; empty: none is compressed.
+std::string buckling_words(const Analysis& a) {
+  const Element* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  int sample = 0;
+  for (const Element& e : a.machine().topology().elements) {
+    if (e.kind != ElementKind::beam || !a.has(column_of(e, analysis::OfElement::buckling))) continue;
+    const auto& x = a.column(column_of(e, analysis::OfElement::buckling));
+    for (int k = 0; k < a.samples(); ++k)
+      if (x[static_cast<std::size_t>(k)] < least) least = x[static_cast<std::size_t>(k)], nearest = &e, sample = k;
+  }
+  if (nearest == nullptr) return "";
+  return fmt::format("Nearest to buckling comes {}: at t = {} it could carry {} times its compression.", nearest->name,
+                     show_time(a, sample), typeset(format_number(least, 3)));
+}
+
 document::Evidence no_negative_energy(const std::vector<ElasticView>& views, double length) {
   double worst = 0;
   const Vector6d s = (Vector6d() << 1, 1, 1, Eigen::Vector3d::Constant(1 / length)).finished();
@@ -121,12 +142,12 @@ document::Evidence no_negative_energy(const std::vector<ElasticView>& views, dou
     const auto values = linear::symmetric_eigen(Matrix6d(s.asDiagonal() * v.pose.compliance * s.asDiagonal())).values;
     worst = std::max(worst, -values(0) / values(5));
   }
-  return {"No load meets a negative compliance", fmt::format("least eigenvalue of the compliance, moments per length, relative to the largest, at {}; negative ones count",
-                                                             plural(static_cast<int>(views.size()), "pose")),
+  return {"No load meets a negative compliance",
+          fmt::format("least eigenvalue of the compliance, moments per length, relative to the largest, at {}; negative ones count",
+                      plural(static_cast<int>(views.size()), "pose")),
           worst, 1e-13, ""};
 }
 
-// Elements a thousand times as stiff: the platform keeps a thousandth of its displacement, and the forces their split.
 document::Evidence by_whole_system(const Analysis& a, const std::vector<ElasticView>& views) {
   double worst = 0;
   int looked = 0;
@@ -141,8 +162,10 @@ document::Evidence by_whole_system(const Analysis& a, const std::vector<ElasticV
       worst = std::max(worst, (whole - mine).cwiseAbs().maxCoeff() / mine.cwiseAbs().maxCoeff());
       ++looked;
     }
-  const char *claim = "The force method equals one system over all bodies", *how = "compliance of the platform by the reactions of joints and their self-stresses against the "
-                                                                                   "displacements of all bodies, joints and springs at once, relative to the largest number";
+  const char *claim = "The force method equals one system over all bodies",
+             *how =
+                 "compliance of the platform by the reactions of joints and their self-stresses against the "
+                 "displacements of all bodies, joints and springs at once, relative to the largest number";
   if (looked == 0) return document::Evidence::not_examined(claim, how, "base or platform give way, which that system does not have");
   return {claim, fmt::format("{}, at {}", how, plural(looked, "pose")), worst, 1e-8, ""};
 }
@@ -154,14 +177,19 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
   Result out{{"stiffness", "stiffness", "Stiffness", {}}, {}, {}, {}};
   document::Section& s = out.section;
   const auto tell = [&](const std::string& text, Paragraph::Tone tone = Paragraph::Tone::plain) {
-    if (!text.empty()) s.blocks.push_back(Paragraph{tone, text});
+    if (!text.empty()) s.blocks.emplace_back(Paragraph{tone, text});
   };
-  const auto value = [&](const std::string& name, const std::string& unit, double x) { out.values.push_back({"stiffness", name, unit, x}); };
+  const auto value = [&](const std::string& name, const std::string& unit, double x) {
+    out.values.push_back({"stiffness", name, unit, x});
+  };
   const bool gives = !m.topology().elements.empty() || !m.elasticity().platform.isZero(0) || !m.elasticity().base.isZero(0);
   if (!gives) {
-    tell("Nothing gives way: the mechanism declares no elastic element, or all are taken as rigid. Its compliance is zero.", Paragraph::Tone::warning);
-    out.summary.push_back("No elastic element: stiffness was not examined. Add [[element]], beam = [\"A1\", \"B1\"], diameter and material.");
-    s.blocks.push_back(document::Proof{{document::Evidence::not_examined("Elasticity", "force method on the joint reactions", "no element gives way")}});
+    tell("Nothing gives way: the mechanism declares no elastic element, or all are taken as rigid. Its compliance is zero.",
+         Paragraph::Tone::warning);
+    out.summary.push_back(
+        "No elastic element: stiffness was not examined. Add [[element]], beam = [\"A1\", \"B1\"], diameter and material.");
+    s.blocks.emplace_back(
+        document::Proof{{document::Evidence::not_examined("Elasticity", "force method on the joint reactions", "no element gives way")}});
     return out;
   }
   tell(definition(a, request));
@@ -174,14 +202,16 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
     if (v.pose.known)
       views.push_back(std::move(v));
     else
-      tell(fmt::format("{}: there is no pose, or the actuators do not hold the platform there; nothing is told of it.", name), Paragraph::Tone::warning);
+      tell(fmt::format("{}: there is no pose, or the actuators do not hold the platform there; nothing is told of it.", name),
+           Paragraph::Tone::warning);
   };
   std::vector<int> samples;
   for (const double t : request.times) samples.push_back(a.sample_at(t));
   if (samples.empty() && a.samples() > 0)
     if (const int worst = sample_of_largest(a, column_of(analysis::OfStiffness::deflection_size)); worst >= 0) samples.push_back(worst);
   for (std::size_t i = 0; i < samples.size(); ++i)
-    if (std::ranges::find(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(i), samples[i]) == samples.begin() + static_cast<std::ptrdiff_t>(i))
+    if (std::ranges::find(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(i), samples[i]) ==
+        samples.begin() + static_cast<std::ptrdiff_t>(i))
       look(viewer.at_sample(samples[i]), "t = " + show_time(a, samples[i]));
   for (std::size_t i = 0; i < request.poses.size(); ++i) {
     const std::string name = fmt::format("pose {}", i + 1);
@@ -192,57 +222,69 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
 
   std::vector<Stage::Ordered> ordered;
   for (const ElasticView& v : views)
-    if (ordered.size() < pictured && m.elasticity().base.isZero(0)) ordered.push_back(mode_picture(a, request, v, stage, ordered.size() + 1));
+    if (ordered.size() < pictured && m.elasticity().base.isZero(0))
+      ordered.push_back(mode_picture(a, request, v, stage, ordered.size() + 1));
 
-  s.blocks.push_back(element_table(a, home));
+  s.blocks.emplace_back(element_table(a, home));
   if (const auto rigid = rigid_limbs(a); !rigid.empty())
-    tell(fmt::format("{} {} no element: what {} to the platform is taken as rigid.", listed(rigid, "and"), rigid.size() == 1 ? "has" : "have", rigid.size() == 1 ? "it passes" : "they pass"),
+    tell(fmt::format("{} {} no element: what {} to the platform is taken as rigid.", listed(rigid, "and"),
+                     rigid.size() == 1 ? "has" : "have", rigid.size() == 1 ? "it passes" : "they pass"),
          Paragraph::Tone::note);
   if (home.pose.known && home.pose.settled > 0)
-    tell(fmt::format("The elements settle {} that rigid bodies leave open: joint reactions are unique by elasticity{}.", plural(home.pose.settled, "self-stress", "self-stresses"),
-                     home.pose.open > 0 ? fmt::format(" but for {} that no element gives energy", plural(home.pose.open, "self-stress", "self-stresses")) : ""));
+    tell(fmt::format("The elements settle {} that rigid bodies leave open: joint reactions are unique by elasticity{}.",
+                     plural(home.pose.settled, "self-stress", "self-stresses"),
+                     home.pose.open > 0
+                         ? fmt::format(" but for {} that no element gives energy", plural(home.pose.open, "self-stress", "self-stresses"))
+                         : ""));
   else if (home.pose.known && home.pose.open > 0)
-    tell(fmt::format("{} that rigid bodies leave open {} no element to give {} energy: nothing settles how large {}.", plural(home.pose.open, "self-stress", "self-stresses"),
-                     home.pose.open == 1 ? "meets" : "meet", home.pose.open == 1 ? "it" : "them", home.pose.open == 1 ? "it is" : "they are"),
+    tell(fmt::format("{} that rigid bodies leave open {} no element to give {} energy: nothing settles how large {}.",
+                     plural(home.pose.open, "self-stress", "self-stresses"), home.pose.open == 1 ? "meets" : "meet",
+                     home.pose.open == 1 ? "it" : "them", home.pose.open == 1 ? "it is" : "they are"),
          Paragraph::Tone::note);
 
   const double factor = bending_factor(a, request, home);
   if (std::isfinite(factor) && factor > 1.05) {
-    const std::string sentence = fmt::format("With the bending of beams by forces pF_max at home is {}, {} times that of the same beams without it.",
-                                             show(mechanics::deformation_indices(home.tool.compliance).pF_max, "m/N", 3), typeset(format_number(factor, 5)));
+    const std::string sentence =
+        fmt::format("With the bending of beams by forces pF_max at home is {}, {} times that of the same beams without it.",
+                    show(mechanics::deformation_indices(home.tool.compliance).pF_max, "m/N", 3), typeset(format_number(factor, 5)));
     tell(sentence);
     if (factor > 10) out.summary.push_back(sentence);
   }
   if (a.samples() > 0) {
-    for (figure::Figure& f : motion_figures(a)) s.blocks.push_back(std::move(f));
-    if (document::Table t = motion_extremes(a); !t.rows.empty()) s.blocks.push_back(std::move(t));
+    for (figure::Figure& f : motion_figures(a)) s.blocks.emplace_back(std::move(f));
+    if (document::Table t = motion_extremes(a); !t.rows.empty()) s.blocks.emplace_back(std::move(t));
+    tell(buckling_words(a));
   }
-  for (document::Block& b : pose_blocks(a, request, views)) s.blocks.push_back(std::move(b));
+  for (document::Block& b : pose_blocks(a, request, views)) s.blocks.emplace_back(std::move(b));
   if (request.map) {
     DrawnMap map = stiffness_map(a, request, out.values);
-    s.blocks.push_back(std::move(map.figure));
+    s.blocks.emplace_back(std::move(map.figure));
     out.data.push_back(std::move(map.data));
     progress.stop_if_asked();
   }
   document::Gallery gallery{{}, ""};
   for (Stage::Ordered& o : ordered) gallery.pictures.push_back(o.wait());
-  if (!gallery.pictures.empty()) s.blocks.push_back(std::move(gallery));
+  if (!gallery.pictures.empty()) s.blocks.emplace_back(std::move(gallery));
 
   document::Proof p;
   if (a.samples() > 0)
     p = proof(a, {{analysis::Measure::elastic_work, "The work of the load becomes energy of the elements",
                    "force times displacement of the load alone against the sum of c q² over all elements, relative", 1e-9, ""},
                   {analysis::Measure::elastic_judge, "Along the motion the force method equals one system over all bodies",
-                   "compliance of the platform by joint reactions and self-stresses against the displacements of all bodies, joints and springs at once, "
+                   "compliance of the platform by joint reactions and self-stresses against the displacements of all bodies, joints and "
+                   "springs at once, "
                    "relative to the largest number",
-                   1e-8, "", "base or platform give way, which that system does not have"},
-                  {analysis::Measure::elastic_drives, "The drives' part follows from the overall Jacobian",
-                   "sum of q qᵀ/k over the drives, q by the joint reactions, against G⁻¹ diag(1/k) G⁻ᵀ of the plugin, relative to the largest number", 1e-8, "",
-                   "no drive gives way"}});
-  else
-    p.lines.push_back(by_whole_system(a, views));
+                   1e-8, "", "base or platform give way, which that system does not have"}});
+  if (a.samples() > 0 && std::ranges::any_of(m.topology().elements, [](const Element& e) { return e.kind == ElementKind::drive; }))
+    for (document::Evidence& line : proof(a, {{analysis::Measure::elastic_drives, "The drives' part follows from the overall Jacobian",
+                                               "sum of q qᵀ/k over the drives, q by the joint reactions, against G⁻¹ diag(1/k) G⁻ᵀ of the "
+                                               "plugin, relative to the largest number",
+                                               1e-8, "", "at no sample has G a value"}})
+                                        .lines)
+      p.lines.push_back(std::move(line));
+  if (a.samples() == 0) p.lines.push_back(by_whole_system(a, views));
   if (!views.empty()) p.lines.push_back(no_negative_energy(views, a.length()));
-  s.blocks.push_back(std::move(p));
+  s.blocks.emplace_back(std::move(p));
 
   if (a.samples() > 0) {
     value("largest_deflection", "m", extreme(a, column_of(analysis::OfStiffness::deflection_size), true));
@@ -252,7 +294,8 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
       if (e.kind == ElementKind::beam) buckling = std::fmin(buckling, extreme(a, column_of(e, analysis::OfElement::buckling), false));
     value("least_buckling", "", buckling);
     if (std::isfinite(buckling) && buckling < 1)
-      out.summary.push_back(fmt::format("A beam buckles: its compression is {} times what it can carry by Euler.", typeset(format_number(1 / buckling, 3))));
+      out.summary.push_back(
+          fmt::format("A beam buckles: its compression is {} times what it can carry by Euler.", typeset(format_number(1 / buckling, 3))));
   }
   const bool known = home.pose.known;
   value("rank", "", known ? mechanics::rank_of(home.pose.compliance, a.length()) : nan);
@@ -262,8 +305,9 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
   value("home_pF_max", "m/N", i.pF_max), value("home_pF_min", "m/N", i.pF_min);
   value("home_pT_max", "1/N", i.pT_max), value("home_pT_min", "1/N", i.pT_min);
   value("home_PhiT_max", "rad/N/m", i.PhiT_max), value("home_PhiT_min", "rad/N/m", i.PhiT_min);
-  const auto modes = known ? mechanics::modes(home.pose.compliance, request.limb_inertia ? home.pose.inertia : home.pose.platform_inertia, a.length())
-                           : std::vector<mechanics::Mode>{};
+  const auto modes =
+      known ? mechanics::modes(home.pose.compliance, request.limb_inertia ? home.pose.inertia : home.pose.platform_inertia, a.length())
+            : std::vector<mechanics::Mode>{};
   value("home_frequency", "Hz", modes.empty() ? nan : modes.front().frequency);
   return out;
 }

@@ -17,9 +17,9 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
 
 // A pose that the section looks at closely.
 struct ElasticView {
-  std::string name;         // "home", "t = 2.5 s", "pose 1"
-  Eigen::VectorXd q;        // coordinates
-  bool loaded = false;      // under the load of the motion
+  std::string name;     // "home", "t = 2.5 s", "pose 1"
+  Eigen::VectorXd q;    // coordinates
+  bool loaded = false;  // under the load of the motion
   mechanics::ElasticPose pose;
   analysis::ToolElasticity tool;
   std::vector<double> placement;
