@@ -1,5 +1,5 @@
-// What elasticity says of the mechanisms, against other ways to the same: exact cases, energies of displaced geometries, one system over all
-// bodies.
+// What elasticity says of the mechanisms, against other ways to the same: exact cases, energies of displaced geometries, one system over
+// all bodies.
 #include <core/linear/eigenvalues.hpp>
 #include <core/mechanics/dynamics/momentum.hpp>
 #include <core/mechanics/statics/statics.hpp>
@@ -129,8 +129,8 @@ TEST_CASE("the compliance of a hexapod is that of springs between displaced poin
   const auto resistance = [&](const Twist& d) {
     const Vector w = d.tail<3>();
     const Real angle = w.norm();
-    const Eigen::Matrix<Real, 3, 3> r =
-        angle > 0 ? Eigen::AngleAxis<Real>(angle, w / angle).toRotationMatrix() : Eigen::Matrix<Real, 3, 3>(Eigen::Matrix<Real, 3, 3>::Identity());
+    const Eigen::Matrix<Real, 3, 3> r = angle > 0 ? Eigen::AngleAxis<Real>(angle, w / angle).toRotationMatrix()
+                                                  : Eigen::Matrix<Real, 3, 3>(Eigen::Matrix<Real, 3, 3>::Identity());
     Twist out = Twist::Zero();
     for (std::size_t i = 0; i < 6; ++i) {
       const Vector arm = r * b[i], leg = p + d.head<3>() + arm - a[i];
