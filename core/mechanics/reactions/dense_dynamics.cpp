@@ -58,20 +58,27 @@ JointReactions DenseDynamics::at_pose(std::size_t k, std::size_t count, const do
   out.singular = true;
   regularity = nan;
   if (state_.status != PM_OK) return out;
+  // Several loads at one pose share what the pose alone says.
+  if (!system_ || factorised_at_ != q[0]) {
+    model_ = generic_model(machine_, state_);
+    system_.emplace(machine_, state_, model_, frames_, length_);
+    regularity_ = regularity_of(model_, machine_.topology().idle, length_);
+    factorised_at_ = q[0];
+  }
+  regularity = regularity_;
   Loading loading;
   for (std::size_t c = 0; c < 6; ++c) loading.platform(static_cast<Index>(c)) = loads[c * count + k];
   loading.gravity = gravity;
-  const GenericModel model = generic_model(machine_, state_);
-  regularity = regularity_of(model, machine_.topology().idle, length_);
-  VectorXd more;  // about the bodies' own origins
+  VectorXd required = inertial_wrenches(machine_, state_) - applied_wrenches(machine_, state_, loading);
   if (wrenches != nullptr) {
     const Eigen::Vector3d& p_O = state_.bodies[static_cast<std::size_t>(machine_.topology().platform)].origin;
-    more.resize(model.constraints.cols());
+    VectorXd more(required.size());  // about the bodies' own origins
     for (Index i = 0; i < more.size(); ++i) more(i) = wrenches[static_cast<std::size_t>(i) * count + k];
     for (Index at = 0; at < more.size(); at += 6)
       more.segment<3>(at + 3) += (p_O - state_.bodies[static_cast<std::size_t>(at / 6 + 1)].origin).cross(more.segment<3>(at));
+    required -= more;
   }
-  out = dense_reactions(machine_, state_, model, frames_, loading, length_, more);
+  out = system_->reactions(required);
   out.singular = out.singular || regularity < linear::rank_tolerance;
   return out;
 }

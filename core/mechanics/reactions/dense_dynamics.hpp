@@ -3,6 +3,8 @@
 
 #include <core/mechanics/reactions/motion_reactions.hpp>
 
+#include <optional>
+
 namespace pmreport::mechanics {
 
 class DenseDynamics {
@@ -21,6 +23,10 @@ class DenseDynamics {
   JointFrames frames_;
   double length_;
   State state_;
+  GenericModel model_;
+  std::optional<DenseSystem> system_;
+  Eigen::VectorXd factorised_at_;  // coordinates
+  double regularity_ = 0;
 };
 
 }  // namespace pmreport::mechanics

@@ -8,6 +8,7 @@
 // characteristic length.
 #pragma once
 
+#include <core/linear/least_norm.hpp>
 #include <core/mechanics/dynamics/momentum.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/model/joint_frame.hpp>
@@ -28,11 +29,29 @@ struct JointReactions {
   bool singular = false;  // the actuators cannot carry every load here: no forces are given
 };
 
+// The system (1) at a pose, factorised over all bodies at once. `state.status` is PM_OK and `model` its generic model; machine, state,
+// model and frames must outlive it. `length`: characteristic_length(machine) [m].
+class DenseSystem {
+ public:
+  DenseSystem(const Machine& machine, const State& state, const GenericModel& model, const JointFrames& frames, double length);
+
+  // `required`: inertial less applied wrenches of the bodies 1..n, stacked, each about the body's origin.
+  JointReactions reactions(const Eigen::VectorXd& required) const;
+
+ private:
+  const Machine& machine_;
+  const State& state_;
+  const GenericModel& model_;
+  double length_;
+  Eigen::VectorXd scale_;
+  linear::LeastNorm solver_;
+  JointReactions stresses_;  // without loads: what the null space says
+};
+
 // By one dense factorisation over all bodies: for any structure, and the judge of InverseDynamics.
-// `state.status` is PM_OK; `model` is its generic model; `length`: characteristic_length(machine) [m]; `more`: further wrenches on the
-// bodies 1..n, stacked, each about the body's origin; empty: none.
+// `state.status` is PM_OK; `model` is its generic model; `length`: characteristic_length(machine) [m].
 JointReactions dense_reactions(const Machine& machine, const State& state, const GenericModel& model, const JointFrames& frames,
-                               const Loading& loading, double length, const Eigen::VectorXd& more = {});
+                               const Loading& loading, double length);
 
 // A wrench (force; moment) in base axes by its components along the columns of `frame`.
 Vector6d in_axes(const Eigen::Matrix3d& frame, const Vector6d& wrench);
