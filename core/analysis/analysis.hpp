@@ -58,6 +58,9 @@ class Analysis {
   int self_stresses() const { return self_stresses_; }                                // most in any sample
   const ElasticReactions& elastic_reactions() const { return elastic_; }  // of joint reactions; indeterminate() is without what is settled
 
+  // At every sample, at the tool, in the axes of section `stiffness`; NaN where there is none. Empty: nobody asked.
+  const std::vector<mechanics::Matrix6d>& compliances() const { return compliances_; }
+
   const HoldingWrenches& wrenches(int sample) const { return wrenches_[static_cast<std::size_t>(sample)]; }
   bool singular_everywhere() const { return singular_everywhere_; }  // the architecture: the actuators hold the platform at no pose
   const std::vector<LimitBreach>& breaches() const { return breaches_; }
@@ -100,6 +103,7 @@ class Analysis {
   std::vector<Indeterminate> indeterminate_;
   int self_stresses_ = 0;
   ElasticReactions elastic_;
+  std::vector<mechanics::Matrix6d> compliances_;
 };
 
 }  // namespace pmreport::analysis

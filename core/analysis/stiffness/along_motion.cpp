@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pmreport::analysis {
 
@@ -28,7 +29,7 @@ class Worker {
          double length)
       : machine_(m), motion_(motion), load_(load), request_(request), length_(length), statics_(m), placement_(m.layout().size()) {}
 
-  void run(int sample, bool judged, Row& row, ColumnStore& columns) {
+  void run(int sample, bool judged, Row& row, ColumnStore& columns, Matrix6d& compliance) {
     const auto k = static_cast<std::size_t>(sample);
     const auto dof = static_cast<std::size_t>(machine_.dof());
     std::vector<double> jets(3 * dof), loads(6);
@@ -48,6 +49,7 @@ class Worker {
     const ElasticPose& pose = poses_[0];
     if (!pose.known) return;
     const ToolElasticity tool = at_tool(machine_, pose, placement_.data(), request_);
+    compliance = tool.compliance;
     stiffness_numbers(machine_, pose, tool, request_, length_, true, [&](const ColumnId& id, double value) { columns.put(id, k, value); });
     prove(sample, judged, Eigen::Map<const Vector6d>(loads.data()), pose, row);
   }
@@ -104,6 +106,7 @@ void Analysis::run_stiffness(const Progress& progress) {
   const StiffnessRequest* request = stiffness_request(scenario_);
   if (request == nullptr || samples() == 0) return;
   for (const Column& c : stiffness_columns(machine_.topology())) columns_.add(c, time().size());
+  compliances_.assign(time().size(), Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN()));
   tbb::enumerable_thread_specific<Worker> workers([&] { return Worker(machine_, trajectory_, scenario_.load, *request, length_); });
   constexpr int judged = 8;  // spread evenly
   const int every = std::max(1, samples() / judged);
@@ -111,7 +114,8 @@ void Analysis::run_stiffness(const Progress& progress) {
   for (int begin = 0; begin < samples(); begin += block) {
     progress.stop_if_asked();
     tbb::parallel_for(begin, std::min(samples(), begin + block), [&](int k) {
-      if (outcome(k) == Outcome::good) workers.local().run(k, k % every == every / 2, residuals_[static_cast<std::size_t>(k)], columns_);
+      const auto at = static_cast<std::size_t>(k);
+      if (outcome(k) == Outcome::good) workers.local().run(k, k % every == every / 2, residuals_[at], columns_, compliances_[at]);
     });
   }
 }

@@ -253,7 +253,7 @@ std::vector<document::Block> pose_blocks(const Analysis& a, const StiffnessReque
     out.emplace_back(screw_table(a, v, *stiffness));
   }
   for (const ElasticView& v : views)
-    if (v.loaded && std::ranges::any_of(a.machine().topology().elements, [](const Element& e) { return e.kind == ElementKind::beam; }))
+    if (!v.pose.forces.isZero(0) && std::ranges::any_of(a.machine().topology().elements, [](const Element& e) { return e.kind == ElementKind::beam; }))
       out.emplace_back(beam_table(a, v));
   return out;
 }

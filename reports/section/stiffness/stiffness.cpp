@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -133,6 +134,20 @@ std::string buckling_words(const Analysis& a) {
   if (nearest == nullptr) return "";
   return fmt::format("Nearest to buckling comes {}: at t = {} it could carry {} times its compression.", nearest->name,
                      show_time(a, sample), typeset(format_number(least, 3)));
+}
+
+// Upper triangle of the compliance at every sample: displacements x y z and rotations by forces and moments.
+document::Data compliance_data(const Analysis& a) {
+  constexpr std::array names{"x", "y", "z", "rx", "ry", "rz"};
+  document::Data out{"compliance", {"t [s]"}, {a.time()}};
+  for (int r = 0; r < 6; ++r)
+    for (int c = r; c < 6; ++c) {
+      const char* unit = c < 3 ? "m/N" : r < 3 ? "1/N" : "rad/N/m";
+      out.headings.push_back(fmt::format("C_{}_{} [{}]", names[static_cast<std::size_t>(r)], names[static_cast<std::size_t>(c)], unit));
+      std::vector<double>& column = out.columns.emplace_back();
+      for (const Matrix6d& m : a.compliances()) column.push_back(m(r, c));
+    }
+  return out;
 }
 
 document::Evidence no_negative_energy(const std::vector<ElasticView>& views, double length) {
@@ -266,6 +281,7 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
   for (Stage::Ordered& o : ordered) gallery.pictures.push_back(o.wait());
   if (!gallery.pictures.empty()) s.blocks.emplace_back(std::move(gallery));
 
+  if (!a.compliances().empty()) out.data.insert(out.data.begin(), compliance_data(a));
   document::Proof p;
   if (a.samples() > 0)
     p = proof(a, {{analysis::Measure::elastic_work, "The work of the load becomes energy of the elements",
