@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 #include <new>
+#include <span>
 
 namespace pmreport::mechanics {
 
@@ -120,7 +121,13 @@ class InverseDynamics::Work {
 
   void run(const DynamicsKernel& kernel, const double* jets, const double* loads, const double* wrenches, std::size_t stride,
            DynamicsBatch batch) {
-    if (machine_.place(PM_JET, stride, jets, placement_.get()) != PM_OK) return no_numbers(batch);
+    // Many loads at one pose ask for the same placements again.
+    const std::span<const double> asked(jets, 3 * dof_ * stride);
+    if (!std::ranges::equal(asked, placed_)) {
+      placed_.clear();
+      if (machine_.place(PM_JET, stride, jets, placement_.get()) != PM_OK) return no_numbers(batch);
+      placed_.assign(asked.begin(), asked.end());
+    }
     batch.placement = placement_.get();
     batch.loads = loads;
     batch.wrenches = wrenches;
@@ -148,6 +155,7 @@ class InverseDynamics::Work {
   std::size_t dof_, joints_, bodies_;  // those that move
   Memory memory_, placement_;
   std::vector<double> jets_, loads_, wrenches_;
+  std::vector<double> placed_;  // the jets whose placements are there
   MotionReactions block_;
 };
 
