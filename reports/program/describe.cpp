@@ -50,6 +50,22 @@ std::string limits_of(const Joint& j, const Topology& t) {
   return out;
 }
 
+// "beam A1 to B1", "drive of rho1": what a part is, and where.
+std::string words_of(const Element& e, const Topology& t) {
+  const auto joint = [&](int j) { return t.joints[static_cast<std::size_t>(j)].name; };
+  switch (e.kind) {
+    case ElementKind::beam:
+      return fmt::format("beam {} to {}", joint(e.from), joint(e.to));
+    case ElementKind::rail:
+      return fmt::format("rail along {}, loaded by {}", joint(e.from), joint(e.to));
+    case ElementKind::drive:
+      return "drive of " + t.actuators[static_cast<std::size_t>(e.actuator)].name;
+    case ElementKind::bearing:
+      return "joint " + joint(e.to);
+  }
+  return "";
+}
+
 std::string text_of(const Machine& m) {
   const Topology& t = m.topology();
   std::string out = fmt::format("{}\n{}\nsource: {}\n\nindependent coordinates\n", m.info().name, m.info().title, m.info().source);
@@ -72,6 +88,8 @@ std::string text_of(const Machine& m) {
   for (const Joint& j : t.joints)
     out += fmt::format("  {:<4} {:<12} {} – {}: {}\n", j.name, word_of(j.kind), t.bodies[static_cast<std::size_t>(j.a)].name,
                        t.bodies[static_cast<std::size_t>(j.b)].name, limits_of(j, t));
+  if (!t.elements.empty()) out += "\nparts that give way, for stiffness\n";
+  for (const Element& e : t.elements) out += fmt::format("  {:<12} {}\n", e.name, words_of(e, t));
   return out;
 }
 
@@ -133,6 +151,8 @@ std::string json_of(const Machine& m) {
     if (!joint.from.isZero()) o["from"] = {joint.from.x(), joint.from.y(), joint.from.z()};
     j["joints"].push_back(o);
   }
+  j["elements"] = Json::array();
+  for (const Element& e : t.elements) j["elements"].push_back({{"name", e.name}, {"what", words_of(e, t)}});
   j["platform"] = t.bodies[static_cast<std::size_t>(t.platform)].name;
   j["idle_freedoms"] = t.idle;
   return j.dump(2) + "\n";

@@ -154,6 +154,15 @@ TEST_CASE("describe --json tells a program the same") {
     "unit": "m", "default": 0.4, "min": 0.0, "max": 100.0})"));
 }
 
+TEST_CASE("describe lists the parts that give way") {
+  CHECK_THAT(pmreport({"describe", "p2prpu-prps"}).out, Contains("parts that give way, for stiffness\n  limb1        beam R11 to S1\n") &&
+                                                            Contains("  rail2        rail along PX, loaded by R21\n"));
+  const auto json = nlohmann::json::parse(pmreport({"describe", "gough", "--json"}).out);
+  REQUIRE(json["elements"].size() == 12);
+  CHECK(json["elements"][1]["name"] == "drive1");
+  CHECK(json["elements"][1]["what"] == "drive of rho1");
+}
+
 TEST_CASE("describe and check of an unknown name tell the known ones") {
   for (const char* command : {"describe", "check"}) {
     CAPTURE(command);

@@ -1,4 +1,5 @@
 // Section `reactions`: the wrench in every joint, and how far to trust it.
+#include <core/analysis/stiffness/request.hpp>
 #include <reports/figure/palette.hpp>
 #include <reports/section/common/limits.hpp>
 #include <reports/section/common/plots.hpp>
@@ -28,7 +29,7 @@ constexpr std::size_t most_curves = 12;
 int bits(unsigned x) { return __builtin_popcount(x); }
 
 struct Count {
-  int components = 0;  // transmitted by all joints
+  int components = 0;             // transmitted by all joints
   int doubtful = 0, elastic = 0;  // of these: determined by nothing, determined by elasticity alone
 };
 Count count(const Analysis& a, const std::vector<JointLoad>& loads) {
@@ -59,15 +60,23 @@ std::string elastic_verdict(const Analysis& a, const Count& n) {
   const analysis::ElasticReactions& e = a.elastic_reactions();
   const auto joint = [&](int j) { return a.machine().topology().joints[static_cast<std::size_t>(j)].name; };
   std::string out = fmt::format(
-      "Of the {} components that the joints transmit, {} are unique by the balance of the bodies alone. The joints hold the bodies in {} more "
-      "than needed; {} more components are unique by elasticity: of all reactions that balance the loads those with the least energy of the elastic "
-      "elements, which section stiffness lists, are shown.",
-      n.components, n.components - n.doubtful - n.elastic, plural(a.self_stresses(), "way"), n.elastic);
+      "Of the {} components that the joints transmit, {} are unique by the balance of the bodies alone. The joints hold the bodies in {} "
+      "more "
+      "than needed; {} more components are unique by elasticity: of all reactions that balance the loads those with the least energy of "
+      "the elastic "
+      "elements, {}, are shown.",
+      n.components, n.components - n.doubtful - n.elastic, plural(a.self_stresses(), "way"), n.elastic,
+      analysis::stiffness_request(a.scenario()) != nullptr ? "which section stiffness lists"
+                                                           : "as the mechanism and the scenario declare them");
   std::vector<std::string> missed;
-  if (e.force > 0) missed.push_back(fmt::format("the force in joint {} by {} at t = {}", joint(e.force_joint), show(e.force, "N", 3), show_time(a, e.force_sample)));
+  if (e.force > 0)
+    missed.push_back(
+        fmt::format("the force in joint {} by {} at t = {}", joint(e.force_joint), show(e.force, "N", 3), show_time(a, e.force_sample)));
   if (e.moment > 0)
-    missed.push_back(fmt::format("the moment in joint {} by {} at t = {}", joint(e.moment_joint), show(e.moment, "N*m", 3), show_time(a, e.moment_sample)));
-  if (!missed.empty()) out += fmt::format(" The solution of least norm, which has no self-stress in it, misses {} at most.", listed(missed, "and"));
+    missed.push_back(fmt::format("the moment in joint {} by {} at t = {}", joint(e.moment_joint), show(e.moment, "N*m", 3),
+                                 show_time(a, e.moment_sample)));
+  if (!missed.empty())
+    out += fmt::format(" The solution of least norm, which has no self-stress in it, misses {} at most.", listed(missed, "and"));
   if (n.doubtful > 0)
     out += fmt::format(" {} that no element gives energy leave {} components indeterminate, marked {}: least-norm values, no prediction.",
                        plural(e.open, "self-stress", "self-stresses"), n.doubtful, least_norm_mark);
