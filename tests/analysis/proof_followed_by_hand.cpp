@@ -167,7 +167,7 @@ TEST_CASE("a box with one solution at every instant is told from one with two, a
   CHECK(aside[0].width() < 1e-9);
 }
 
-TEST_CASE("what is continuous with a kink is proved through it; what jumps is not") {
+TEST_CASE("what is continuous with a kink is proved through it: what jumps is not") {
   const auto kinked = geometry_of([](const Recorded& x) { return x + 0.1 * abs(x - 1.0); });
   CHECK(kinked.kinks == 1);
   const Rest kink = find_at_rest(kinked, 1.01, 1.05, 0.1);  // 1.1 x - 0.1 = 1.01

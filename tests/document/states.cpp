@@ -56,7 +56,7 @@ Report with_all() {
 
 }  // namespace
 
-TEST_CASE("what is not decided, not examined or not applicable does not fail a report; a failure and an error do") {
+TEST_CASE("what is not decided, not examined or not applicable does not fail a report: a failure and an error do") {
   for (const Verdict state : {Verdict::passed, Verdict::not_decided, Verdict::not_examined, Verdict::not_applicable}) {
     CAPTURE(word_of(state));
     CHECK(line_in(state).verdict() == state);
@@ -87,7 +87,7 @@ TEST_CASE("results.json counts the six states apart, and gives every line its ow
   CHECK(lines[21]["status"] == "not finite");
 }
 
-TEST_CASE("JUnit skips what is not decided, not examined or not applicable, and says which; an error is an error") {
+TEST_CASE("JUnit skips what is not decided, not examined or not applicable, and says which: an error is an error") {
   const std::string xml = to_junit(with_all());
   CHECK(contains(xml, "name=\"States\" tests=\"27\" failures=\"2\" errors=\"6\" skipped=\"12\""));
   CHECK(contains(xml, "name=\"every-instant\" tests=\"27\" failures=\"2\" errors=\"6\" skipped=\"12\""));
@@ -109,7 +109,7 @@ TEST_CASE("the page counts the states that occur, and no other") {
   CHECK(contains(to_html(with({{Verdict::passed, 2}})), "All 2 lines of evidence passed."));
 }
 
-TEST_CASE("every state has its word in the table of the page, with its reason; a statement has no numbers") {
+TEST_CASE("every state has its word in the table of the page, with its reason: a statement has no numbers") {
   const std::string html = to_html(with_all());
   CHECK(count(html, "✓ passed") == 7);
   CHECK(count(html, "✗ failed") == 2);

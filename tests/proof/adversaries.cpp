@@ -74,7 +74,7 @@ TEST_CASE("a joint that dwells at its limit as far as rounding tells is undecide
   CHECK(p.found == "");
 }
 
-TEST_CASE("a motion that begins at its limit and goes inside holds; one that begins outside is broken from the beginning") {
+TEST_CASE("a motion that begins at its limit and goes inside holds: one that begins outside is broken from the beginning") {
   const Probed inside = probed({}, Cubic{0, {limit, -0.1, 0, 0}}, 0.1, 0, 3);
   CHECK(inside.stroke(0).state == State::holds);
   CHECK(inside.found == "");

@@ -201,7 +201,7 @@ TEST_CASE("waves have their extremes, and no more") {
   CHECK(of([] { return sin(Interval(0x1p20)); }).width() < 2e-15);
 }
 
-TEST_CASE("an angle on the cut may be anything; beside it, it is sharp") {
+TEST_CASE("an angle on the cut may be anything: beside it, it is sharp") {
   const Bounds on = of([] { return atan2(Interval(0.0, 1.0), Interval(-2.0, -1.0)); });
   CHECK(on.low < -pi);
   CHECK(on.high > pi);
@@ -255,7 +255,7 @@ TEST_CASE("of two enclosures of a number both are right") {
   CHECK(of([] { return common(Interval::unbounded(), Interval::unbounded()); }) == Bounds{});
 }
 
-TEST_CASE("bounds become an interval and come back; those of no number are not bounded") {
+TEST_CASE("bounds become an interval and come back: those of no number are not bounded") {
   for (const Bounds b : {Bounds{-1, 2}, Bounds{0, 0}, Bounds{-greatest, greatest}, Bounds{least, least}})
     CHECK(of([&] { return Interval(b); }) == b);
   for (const Bounds b :

@@ -58,7 +58,7 @@ TEST_CASE("what is no program is refused with a sentence that completes: the mec
   CHECK(refusal({x0, x1, {Operation::less, 0, 1, 0, 0}, {Operation::choose, 2, 1, 0, 0}}, 2, {3}) == "");
 }
 
-TEST_CASE("more steps than are looked at are refused, though nothing needs them; as many are not") {
+TEST_CASE("more steps than are looked at are refused, though nothing needs them: as many are not") {
   std::vector<Step> steps(Program::most_steps, x0);
   CHECK(refusal(steps, 1, {0}) == "");
   steps.push_back(x0);

@@ -41,7 +41,7 @@ TEST_CASE("a shell is one part with one hole, and two balls are two parts withou
   CHECK(parts.holes.empty());
 }
 
-TEST_CASE("points touch along axes, not across; a hole is shut in, and a bay is not") {
+TEST_CASE("points touch along axes, not across: a hole is shut in, and a bay is not") {
   // Four rows of five.
   const std::vector<std::uint32_t> at{1, 1, 1, 1, 0,  //
                                       1, 0, 1, 2, 0,  //

@@ -71,7 +71,7 @@ Attack attack(const PoseSet& claimed, int dropped) {
 
 }  // namespace
 
-TEST_CASE("No pose contradicts what is said of boxes; a margin that is dropped, or has the wrong sign, is found out") {
+TEST_CASE("No pose contradicts what is said of boxes: a margin that is dropped, or has the wrong sign, is found out") {
   const Attack right = attack(leg_set(4), -1);
   CAPTURE(right.inside, right.outside, right.open);
   CHECK(right.inside > 10);

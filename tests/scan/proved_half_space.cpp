@@ -48,7 +48,7 @@ int compare(double bound, const Share& s) {
 
 }  // namespace
 
-TEST_CASE("The bounds of a half-space's share hold the fraction that it is, to the last bit; turned inward they do not") {
+TEST_CASE("The bounds of a half-space's share hold the fraction that it is, to the last bit: turned inward they do not") {
   std::mt19937_64 random(20);
   std::size_t inexact = 0, found_out = 0, narrow = 0, trials = 0;
   for (int trial = 0; trial < 4000; ++trial) {

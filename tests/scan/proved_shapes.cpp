@@ -177,7 +177,7 @@ TEST_CASE("Axes without a range are numbers, and what has no volume comes to an 
   CHECK(plane.volume.high < 1e-3);
 }
 
-TEST_CASE("A proof that must end early says so, and its bracket still holds; margins of no program are refused") {
+TEST_CASE("A proof that must end early says so, and its bracket still holds: margins of no program are refused") {
   const PoseSet ball = recorded_set(3, [](program::Recorder& r, std::vector<Recorded>& m) {
     m.push_back(Recorded(1.0) - square_distance(r, {0, 0, 0}));
   });

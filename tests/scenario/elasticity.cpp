@@ -67,7 +67,7 @@ TEST_CASE("mistakes in elements are told with what to write") {
       {element(""), "expected one of beam, rail, joint and drive in an element, seen 0"},
       {element("joint = \"R\"\ndrive = \"q\"\naxial = \"1 N/um\"\nstiffness = \"1 N/um\"\n"), "seen 2"},
       {"[[element]]\njoint = \"R\"\naxial = \"1 N/um\"\n", "name"},
-      {element("joint = \"Q\"\naxial = \"1 N/um\"\n"), "expected one of the joints"},
+      {element("joint = \"Q\"\naxial = \"1 N/um\"\n"), "expected \"P\" or \"R\", seen \"Q\""},
       {element("joint = \"R\"\n"), "expected how stiff the joint is"},
       {element("joint = \"R\"\naxial = \"0 N/um\"\n"), "for axial, seen 0 N/um"},
       {element("joint = \"R\"\naxial = \"-3 N/um\"\n"), "for axial, seen -3 N/um"},
@@ -90,8 +90,8 @@ TEST_CASE("mistakes in elements are told with what to write") {
       {element("joint = \"R\"\naxial = \"1 N/um\"\n") + element("joint = \"P\"\nradial = \"1 N/um\"\n"),
        "two elements are called \"part\""},
       {"[[element]]\nname = \"a b\"\njoint = \"R\"\naxial = \"1 N/um\"\n", "letters, digits and underscores"},
-      {"[elasticity]\nrigid = [\"legs\"]\n", "the elements and their kinds"},
-      {"[elasticity]\nbending = \"some\"\n", "the ways to bend"},
+      {"[elasticity]\nrigid = [\"legs\"]\n", "expected \"beams\", \"rails\", \"drives\" or \"bearings\", seen \"legs\""},
+      {"[elasticity]\nbending = \"some\"\n", "expected \"none\", \"couples\" or \"full\", seen \"some\""},
       {"[elasticity]\nwarmer = \"20 s\"\n", "expected a plain number"},
       {"[elasticity]\nbase_compliance = [[1, 2], [3, 4]]\n", "rows of six numbers"},
       {"[elasticity]\nbase_compliance = [[0,1e-6,0,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0]]\n",
@@ -111,7 +111,7 @@ TEST_CASE("mistakes in elements are told with what to write") {
 
 TEST_CASE("what the section itself cannot take is told") {
   CHECK_THAT(told_of("tool = [\"1 mm\", \"2 mm\"]\n"), Contains("lengths, x y z in the platform's axes"));
-  CHECK_THAT(told_of("axes = \"world\"\n"), Contains("the axes"));
+  CHECK_THAT(told_of("axes = \"world\"\n"), Contains("expected \"base\" or \"platform\""));
   CHECK_THAT(told_of("times = [\"9 s\"]\n"), Contains("9 s"));
   CHECK_THAT(told_of("map = { x = [\"-10 mm\", \"10 mm\"], phi = [\"-1 deg\", \"1 deg\"], show = [\"pG_max\"] }\n"), Contains("pG_max"));
 }

@@ -61,7 +61,7 @@ TEST_CASE("labels overlap neither one another nor a joint, and stay in the pictu
   }
 }
 
-TEST_CASE("a label alone stands close to its joint, without a leader; one in a crowd that is moved away has one") {
+TEST_CASE("a label alone stands close to its joint, without a leader: one in a crowd that is moved away has one") {
   Scene lone;
   Solid ball{};
   ball.kind = Solid::Kind::ball, ball.radius = 0.02;

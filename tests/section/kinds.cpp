@@ -183,7 +183,7 @@ TEST_CASE("tables within sections accept the keys that are described") {
              Contains(described("snapshots", "views")));
 }
 
-TEST_CASE("every kind has a purpose and a maker; its quantities begin with its name") {
+TEST_CASE("every kind has a purpose and a maker: its quantities begin with its name") {
   std::set<std::string> names;
   for (const scenario::SectionKind* kind : section::kinds()) {
     CAPTURE(kind->name);

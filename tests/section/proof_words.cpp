@@ -164,7 +164,7 @@ TEST_CASE("what was not examined is told with its reason, and those of one reaso
   CHECK(t.sentence() == "What holds between the samples was not examined: it follows from forces.");
 }
 
-TEST_CASE("crossings are told with their times; a touch and a G without bound are open") {
+TEST_CASE("crossings are told with their times: a touch and a G without bound are open") {
   Told t;
   t[regular].state = State::broken;
   t.proof.meetings = {{What::crossing, {3.1415924, 3.1415928}}, {What::crossing, {4.0, 4.0000004}}};

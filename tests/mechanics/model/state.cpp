@@ -99,7 +99,7 @@ TEST_CASE("a sleeve on a turning boom has the textbook's centripetal and Corioli
   CHECK((sleeve.angular_velocity - Vector3d(0, 0, w)).norm() < 1e-15);
 }
 
-TEST_CASE("an unreachable pose says so and why; a plugin's NaN is the plugin's failure") {
+TEST_CASE("an unreachable pose says so and why: a plugin's NaN is a pose without numbers") {
   const double out_of_reach[] = {-1.5}, slow[] = {1.0}, none[] = {0.0};
   const Machine short_rod(test::slider_crank(), {{0}, {0.4}, {0.35}});
   State s;
@@ -110,8 +110,8 @@ TEST_CASE("an unreachable pose says so and why; a plugin's NaN is the plugin's f
   const Machine broken(test::slider_crank(), {{13}, {0.2}, {0.5}});  // the fault "nan", beyond 0.9 rad
   const double beyond[] = {1.0}, before[] = {0.7};
   evaluate(broken, beyond, slow, none, s);
-  CHECK(s.status == PM_FAILED);
-  CHECK(s.why == "the plugin returned numbers that are not finite");
+  CHECK(s.status == PM_SINGULAR);
+  CHECK(s.why == "the geometry has no finite numbers there");
   evaluate(broken, before, slow, none, s);
   CHECK(s.status == PM_OK);
   CHECK(s.why.empty());

@@ -60,7 +60,7 @@ TEST_CASE("the forces of the actuators move the coordinates from where they star
   CHECK(m.energy_drift >= 0);
 }
 
-TEST_CASE("one force may stand for all, with the actuator's own value, rate and home; a name beside it overrides") {
+TEST_CASE("one force may stand for all, with the actuator's own value, rate and home: a name beside it overrides") {
   const Loaded l =
       loaded(forced("start = { phi = \"0.1 rad\" }\n", "all = \"-2 N*m/rad * (value - home) - 0.04 N*m*s/rad * rate\"\nq = \"1 N\"\n"));
   const mechanics::Trajectory& m = l.trajectory;
@@ -77,7 +77,7 @@ TEST_CASE("one force may stand for all, with the actuator's own value, rate and 
         "rad, at rest");
 }
 
-TEST_CASE("a force may name the other actuators and the time; who is not named exerts none") {
+TEST_CASE("a force may name the other actuators and the time: who is not named exerts none") {
   // phi = 0.3 rad/s t drives the slide: x'' = 0.06 t + 0.1 t^2.
   const Loaded l = loaded(forced("start_rate = { phi = \"0.3 rad/s\" }\n", "q = \"1 N/rad * psi + 0.5 N/s^2 * t^2\"\n"));
   const mechanics::Trajectory& m = l.trajectory;

@@ -133,7 +133,7 @@ TEST_CASE("any values at all give a closed surface, zeros and missing ones among
   }
 }
 
-TEST_CASE("no point inside is no surface; grids that have none are refused") {
+TEST_CASE("no point inside is no surface: grids that have none are refused") {
   const auto axes = cube(0, 1, 3);
   CHECK(boundary_surface(axes, std::vector<double>(27, -1.0)).triangles.empty());
   CHECK(enclosed_volume({}) == 0);
