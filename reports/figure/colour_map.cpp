@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include <reports/figure/colour_scale.hpp>
 #include <reports/figure/contour.hpp>
@@ -83,8 +84,12 @@ void paint(cairo_t* cr, const Box& box, ColourAt&& colour_at) {
 
 }  // namespace
 
-std::vector<Stroke> zero_contour(const ColourMap& map, const Frame& frame) {
-  std::vector<Stroke> strokes = zero_lines(map.x, map.y, map.values, colour_range(map).high);
+std::vector<Stroke> level_contour(const ColourMap& map, const Frame& frame) {
+  const double pole =
+      map.scale == ColourMap::Scale::diverging ? colour_range(map).high - map.level : std::numeric_limits<double>::infinity();
+  std::vector<double> above = map.values;
+  for (double& v : above) v -= map.level;
+  std::vector<Stroke> strokes = zero_lines(map.x, map.y, above, pole);
   for (Stroke& stroke : strokes)
     for (Point& p : stroke) p = to_page(frame, p.x, p.y);
   return strokes;

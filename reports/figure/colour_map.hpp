@@ -1,4 +1,4 @@
-// Values over a grid as colours: a filled map and its contour of zero.
+// Values over a grid as colours: a filled map and its contour.
 #pragma once
 
 #include <cairo.h>
@@ -10,9 +10,9 @@
 
 namespace pmreport::figure {
 
-// Where bilinear values are zero, as straight pieces joined to strokes. A cell with a value missing has none; nor has one where the sign
-// changes between values that both lie beyond the colours, at a pole.
-std::vector<Stroke> zero_contour(const ColourMap& map, const Frame& frame);
+// Where bilinear values are at the level of the map, as straight pieces joined to strokes. A cell with a value missing has none; nor has
+// one of a diverging map where the sign changes between values that both lie beyond the colours, at a pole.
+std::vector<Stroke> level_contour(const ColourMap& map, const Frame& frame);
 
 // Fills that part of the frame that the grid covers; the frame's top left corner is the origin. What is out of reach is grey and hatched.
 void draw_map(cairo_t* cr, const ColourMap& map, const Frame& frame);

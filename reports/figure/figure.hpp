@@ -39,10 +39,11 @@ struct ColourMap {
   std::vector<double> x, y;    // of the columns and of the rows, evenly spaced and increasing, at least two
   std::vector<double> values;  // row by row; NaN: out of reach, grey and hatched
   Axis bar;                    // what the colours count
-  std::string zero = {};       // "det G = 0": the contour of zero in the legend; empty: no contour
+  std::string contour = {};    // "det G = 0": the contour of `level` in the legend; empty: no contour
   enum class Scale { diverging, sequential, classes } scale = Scale::diverging;
   std::vector<std::string> classes = {};
   std::string missing = "out of reach";  // what NaN means, in the legend
+  double level = 0;                      // the value that the contour follows
 };
 
 // A line over a panel that carries its name on itself, such as a limit on a slice: x and y with gaps as of a series. Where no name finds

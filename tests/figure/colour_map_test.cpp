@@ -1,6 +1,7 @@
 #include "reports/figure/colour_map.hpp"
 #include <reports/figure/draw.hpp>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
@@ -10,6 +11,7 @@
 #include <tests/figure/samples.hpp>
 #include "reports/figure/colour_scale.hpp"
 #include "reports/figure/layout/layout.hpp"
+#include "reports/figure/layout/legend.hpp"
 #include "reports/figure/surface.hpp"
 
 using namespace pmreport::figure;
@@ -22,7 +24,7 @@ ColourMap sampled(int points, const std::function<double(double, double)>& f) {
   for (const double y : map.y)
     for (const double x : map.x) map.values.push_back(f(x, y));
   map.bar = {"det", ""};
-  map.zero = "det = 0";
+  map.contour = "det = 0";
   return map;
 }
 
@@ -51,7 +53,7 @@ TEST_CASE("the scale is lightest at zero and darkens steadily on both sides") {
 }
 
 TEST_CASE("the contour of a circle is one closed stroke on the circle") {
-  const auto contour = zero_contour(sampled(61, [](double x, double y) { return x * x + y * y - 0.49; }), square);
+  const auto contour = level_contour(sampled(61, [](double x, double y) { return x * x + y * y - 0.49; }), square);
   REQUIRE(contour.size() == 1);
   CHECK(std::hypot(contour[0].front().x - contour[0].back().x, contour[0].front().y - contour[0].back().y) < 1e-6);
   CHECK(contour[0].size() > 100);
@@ -61,20 +63,37 @@ TEST_CASE("the contour of a circle is one closed stroke on the circle") {
   }
 }
 
+TEST_CASE("the contour follows the level of its map, and the legend names it only where values lie on both sides of it") {
+  ColourMap bowl = sampled(61, [](double x, double y) { return x * x + y * y; });
+  bowl.scale = ColourMap::Scale::sequential;
+  bowl.level = 0.49, bowl.contour = "0.49";
+  const auto contour = level_contour(bowl, square);
+  REQUIRE(contour.size() == 1);
+  for (const Point p : contour[0]) CHECK(std::hypot(p.x - 50, p.y - 50) == Approx(35).margin(0.05));
+  const auto named = [](const ColourMap& map) {
+    const auto keys = keys_of(panel_of(map));
+    return std::any_of(keys.begin(), keys.end(), [](const Key& k) { return k.kind == Key::Kind::contour; });
+  };
+  CHECK(named(bowl));
+  bowl.level = 3;
+  CHECK_FALSE(named(bowl));
+  CHECK(level_contour(bowl, square).empty());
+}
+
 TEST_CASE("where a value is missing there is no contour, and none at a pole") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto half = zero_contour(sampled(41, [&](double x, double y) { return y > 0 ? nan : x; }), square);
+  const auto half = level_contour(sampled(41, [&](double x, double y) { return y > 0 ? nan : x; }), square);
   REQUIRE(half.size() == 1);
   for (const Point p : half[0]) {
     CHECK(p.x == Approx(50));
     CHECK(p.y >= 50 - 1e-9);
   }
   // 1/x changes its sign beside values of 20 and more, which one value in fifty reaches.
-  CHECK(zero_contour(sampled(400, [](double x, double) { return 1 / x; }), square).empty());
+  CHECK(level_contour(sampled(400, [](double x, double) { return 1 / x; }), square).empty());
 }
 
 TEST_CASE("alternating corners are joined as the value in their middle says, and no stroke crosses another") {
-  const auto saddle = zero_contour(sampled(2, [](double x, double y) { return x * y + 0.25; }), square);
+  const auto saddle = level_contour(sampled(2, [](double x, double y) { return x * y + 0.25; }), square);
   REQUIRE(saddle.size() == 2);
   // The middle is positive: each stroke cuts off a negative corner, upper left or lower right.
   for (const Stroke& s : saddle) CHECK(((s[0].x - 50) * (s[1].x - 50) > 0 && (s[0].y - 50) * (s[1].y - 50) > 0) == true);

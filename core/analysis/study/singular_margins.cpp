@@ -39,12 +39,9 @@ SingularityGrid singularity_grid(const mechanics::Machine& m, const PoseMap& r, 
   std::vector<int> sides(n * n, 0);
   tbb::parallel_for(std::size_t{0}, n, [&](std::size_t row) {
     std::vector<double> q(static_cast<std::size_t>(m.dof()) * n), placement(m.layout().size() * n), g(36 * n);
-    const auto at = [&](int axis, std::size_t k) {
-      return r.from[axis] + (r.to[axis] - r.from[axis]) * static_cast<double>(k) / static_cast<double>(n - 1);
-    };
     for (int i = 0; i < m.dof(); ++i)
       for (std::size_t k = 0; k < n; ++k)
-        q[static_cast<std::size_t>(i) * n + k] = i == r.coordinate[0] ? at(0, k) : i == r.coordinate[1] ? at(1, row) : r.at(i);
+        q[static_cast<std::size_t>(i) * n + k] = i == r.coordinate[0] ? r.value(0, k) : i == r.coordinate[1] ? r.value(1, row) : r.at(i);
     if (m.place(PM_VALUE, n, q.data(), placement.data()) != PM_OK || m.jacobian(PM_VALUE, n, placement.data(), g.data()) != PM_OK) return;
     for (std::size_t k = 0; k < n; ++k) {
       if (!(placement[k] >= 0)) continue;  // the reach

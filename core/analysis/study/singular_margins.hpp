@@ -2,6 +2,7 @@
 #pragma once
 
 #include <core/analysis/analysis.hpp>
+#include <core/analysis/study/pose_map.hpp>
 
 #include <vector>
 
@@ -13,14 +14,6 @@ struct AlongMotion {
   int worst = -1;  // sample of the smallest singular value; -1: none has a pose
 };
 AlongMotion along_motion(const Analysis& a, double length);
-
-// Poses over two coordinates.
-struct PoseMap {
-  int coordinate[2] = {0, 1};  // indices
-  double from[2] = {0, 0}, to[2] = {0, 0};
-  Eigen::VectorXd at;  // the other coordinates; home unless given
-  int points = 61;     // along each
-};
 
 // det G^ and its smallest singular value, which takes the sign of det G^, over the map, row by row: `points` poses a row, the first
 // coordinate rising along it. NaN: out of reach. `map.at` must be as long as the coordinates.

@@ -112,8 +112,9 @@ std::vector<Key> keys_of(const Panel& panel) {
       if (has([](double v) { return !(v >= 0); })) keys.push_back({Key::Kind::fill, panel.map->missing, -1});
       return keys;
     }
-    if (!panel.map->zero.empty() && has([](double v) { return v < 0; }) && has([](double v) { return v > 0; }))
-      keys.push_back({Key::Kind::contour, panel.map->zero});
+    const double level = panel.map->level;
+    if (!panel.map->contour.empty() && has([&](double v) { return v < level; }) && has([&](double v) { return v > level; }))
+      keys.push_back({Key::Kind::contour, panel.map->contour});
     if (has([](double v) { return !std::isfinite(v); })) keys.push_back({Key::Kind::fill, panel.map->missing, -1});
     return keys;
   }

@@ -185,7 +185,7 @@ void lay_out_map(cairo_t* cr, const Panel& panel, Interval y, double width, doub
   const ColourMap& map = *panel.map;
   fill(panel, y, width, height, layout);
   layout.bar = lay_out_bar(cr, map, height);
-  if (!map.zero.empty()) layout.contour = zero_contour(map, layout.window);
+  if (!map.contour.empty()) layout.contour = level_contour(map, layout.window);
   layout.named = lay_out_named(cr, panel.named, layout.window, drawn(layout));
   layout.spike_note = beyond_the_colours(map);
   const std::vector<Legend> shapes = legend_shapes(cr, all_keys(panel, layout), room);

@@ -1,3 +1,4 @@
+#include <reports/section/common/pose_map.hpp>
 #include <reports/section/singularity/singularity.hpp>
 
 #include <core/scenario/section/keys.hpp>
@@ -12,71 +13,6 @@ namespace keys = scenario::keys;
 namespace {
 
 constexpr std::size_t most_poses = 100;
-constexpr double fewest_points = 5, most_points = 401;  // along each side of a map
-
-std::optional<MapOptions> read_map(const scenario::Entry& entry, const scenario::MechanismPart& mechanism, const scenario::Reader& reader) {
-  scenario::Diagnostics& diagnostics = reader.diagnostics();
-  const scenario::Value* content = table_of(&entry, "section.map", reader);
-  if (content == nullptr) return std::nullopt;
-  const Topology& topology = *mechanism.topology;
-  std::vector<std::string> known{"at", "points"};
-  for (const Coordinate& c : topology.coordinates) known.push_back(c.name);
-  MapOptions out;
-  bool sound = true;
-  int found = 0;
-  const scenario::Entry* at = nullptr;
-  for (const scenario::Entry& e : content->entries) {
-    if (e.key == "at") {
-      at = &e;
-      continue;
-    }
-    if (e.key == "points") {
-      out.points = static_cast<int>(reader.integer(e.value, fewest_points, most_points).value_or(out.points));
-      continue;
-    }
-    const int i = scenario::index_of(topology, e.key);
-    if (i < 0) {
-      refuse_coordinate(e.place, e.key, mechanism, known, "map", diagnostics);
-      sound = false;
-      continue;
-    }
-    if (found < 2) {
-      out.coordinate[found] = i;
-      const auto* range = reader.list(e.value, 2, "two ends of a range");
-      const Dimension dimension = parse_unit(topology.coordinates[static_cast<std::size_t>(i)].unit)->dimension;
-      const auto from = range != nullptr ? reader.quantity((*range)[0], dimension) : std::nullopt;
-      const auto to = range != nullptr ? reader.quantity((*range)[1], dimension) : std::nullopt;
-      sound = sound && from && to;
-      if (from && to) {
-        if (!(*from < *to)) {
-          diagnostics.add(e.value.place, fmt::format("expected a range of {} that rises", e.key), "give the smaller end first");
-          sound = false;
-        }
-        out.from[found] = *from;
-        out.to[found] = *to;
-      }
-    }
-    ++found;
-  }
-  if (found != 2 && sound) {
-    diagnostics.add(entry.place, fmt::format("expected a map over two coordinates, seen {}", found),
-                    fmt::format("write map = {{ {} = [from, to], {} = [from, to] }}; the others go to at = {{ ... }}",
-                                topology.coordinates.front().name, topology.coordinates.back().name));
-    sound = false;
-  }
-  const scenario::Value nothing;
-  const auto q = read_pose(at != nullptr ? at->value : nothing, "map.at", mechanism, reader);
-  if (at != nullptr)
-    for (const scenario::Entry& e : at->value.entries)
-      for (int i = 0; i < std::min(found, 2); ++i)
-        if (scenario::index_of(topology, e.key) == out.coordinate[i]) {
-          diagnostics.add(e.place, fmt::format("{} spans the map and cannot be held at a value", e.key), "remove it from at");
-          sound = false;
-        }
-  if (!q || !sound) return std::nullopt;
-  out.at = *q;
-  return out;
-}
 
 void read_length(const scenario::Entry& e, const scenario::Reading& r, SingularityOptions& options) {
   options.length = r.reader.quantity(e.value, {1, 0, 0, 0});
@@ -117,14 +53,11 @@ std::vector<scenario::Quantity> quantities(const scenario::Options* options) {
 std::vector<scenario::Key> all_keys() {
   using O = SingularityOptions;
   const Shape pose = Shape::values_of("coordinates");
-  const Shape map = Shape::values_of("coordinates", {keys::within("at", pose, "the other coordinates", "home"),
-                                                     keys::within("points", Shape::whole(fewest_points, most_points), "along each side",
-                                                                  std::to_string(MapOptions().points))});
   return {keys::of<O>("length", Shape::quantity(Dimension{1, 0, 0, 0}), "which makes moments comparable with forces",
                       "the characteristic length", read_length),
           keys::of<O>("poses", Shape::list(1, most_poses, pose),
                       "looked at beside those of the motion, `[{x = \"10 mm\"}]`, coordinates left out at home", "none", read_poses),
-          keys::of<O>("map", map,
+          keys::of<O>("map", map_shape(),
                       "of det G over two coordinates, `{x = [\"-100 mm\", \"100 mm\"], y = [\"-110 mm\", \"110 mm\"], at = {alpha = \"5 "
                       "deg\"}, points = 61}`",
                       "none", [](const scenario::Entry& e, const scenario::Reading& r, O& options) {

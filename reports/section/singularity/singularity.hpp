@@ -3,6 +3,7 @@
 
 #include <core/analysis/study/singular_margins.hpp>
 #include <core/mechanics/singularity/singularity.hpp>
+#include <reports/section/common/pose_map.hpp>
 #include <reports/section/common/screw_words.hpp>
 #include <reports/section/common/stage.hpp>
 #include <reports/section/kind.hpp>
@@ -14,12 +15,11 @@ namespace pmreport::section {
 
 using analysis::along_motion;
 using analysis::AlongMotion;
-using MapOptions = analysis::PoseMap;
 
 struct SingularityOptions : scenario::Options {
   std::optional<double> length;        // [m] makes moments comparable with forces; default: the characteristic length
   std::vector<Eigen::VectorXd> poses;  // coordinates, besides those of the motion
-  std::optional<MapOptions> map;
+  std::optional<MapRequest> map;
 };
 
 Result singularity_section(const Analysis& a, const SingularityOptions& r, const Stage& stage, const Progress& progress);
@@ -49,6 +49,6 @@ struct SingularityMap {
   document::Data data;
   int reachable = 0, all = 0, negative = 0, singular = 0;
 };
-SingularityMap singularity_map(const Analysis& a, const MapOptions& request, double length);
+SingularityMap singularity_map(const Analysis& a, const MapRequest& request, double length);
 
 }  // namespace pmreport::section

@@ -31,7 +31,7 @@ figure::Panel index_panel(const std::vector<scan::Axis>& axes, const std::vector
   const bool above = std::ranges::any_of(values, [](double v) { return v > 0; });
   if (below && above) {
     panel.map->scale = figure::ColourMap::Scale::diverging;
-    panel.map->zero = bar.label + " = 0";
+    panel.map->contour = bar.label + " = 0";
   }
   return panel;
 }

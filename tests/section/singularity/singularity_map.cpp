@@ -86,7 +86,7 @@ TEST_CASE("a map shows the determinant of G over two coordinates, and its zero l
   REQUIRE(determinant.map);
   REQUIRE(smallest.map);
   REQUIRE(determinant.map->values.size() == 21 * 21);
-  CHECK(determinant.map->zero == "det Ĝ = 0");
+  CHECK(determinant.map->contour == "det Ĝ = 0");
   for (std::size_t row = 0; row < 21; ++row)
     for (std::size_t k = 0; k < 21; ++k) {
       const double y = -0.1 + 0.02 * double(row), expected = y / std::hypot(y, above);
