@@ -18,42 +18,30 @@ namespace pmreport::mechanics {
 
 namespace {
 
-struct Drive {
-  int near = 0, far = 0;  // joints at its ends
-};
-
 // The drives of all actuators; nothing where one is no telescopic drive.
-std::optional<std::vector<Drive>> drives_of(const Machine& machine, std::string* why) {
-  const Topology& t = machine.topology();
-  std::vector<Drive> out;
-  for (const Actuator& a : t.actuators) {
-    const Joint& slide = t.joints[static_cast<std::size_t>(a.joint)];
-    const int limb = t.bodies[static_cast<std::size_t>(slide.b)].limb;
-    const auto holds = [&](int joint, int body) {
-      const Joint& j = t.joints[static_cast<std::size_t>(joint)];
-      return j.a == body || j.b == body;
-    };
-    const std::optional<LimbLine> line = limb_line(machine, limb);
-    const auto between = [&](int from, int to) { return holds(line->from, from) && holds(line->to, to); };
-    const bool telescopic = slide.kind == JointKind::prismatic && line && limb == t.bodies[static_cast<std::size_t>(slide.a)].limb &&
-                            (between(slide.a, slide.b) || between(slide.b, slide.a));
-    if (!telescopic) {
-      if (why != nullptr) *why = fmt::format("the pressure angle of {} is not known: it is no drive along a limb that is a line", a.name);
+std::optional<std::vector<TelescopicDrive>> drives_of(const Machine& machine, std::string* why) {
+  std::vector<TelescopicDrive> out;
+  for (int i = 0; i < machine.dof(); ++i) {
+    const std::optional<TelescopicDrive> drive = telescopic_drive(machine, i);
+    if (!drive) {
+      if (why != nullptr)
+        *why = fmt::format("the pressure angle of {} is not known: it is no drive along a limb that is a line",
+                           machine.topology().actuators[static_cast<std::size_t>(i)].name);
       return std::nullopt;
     }
-    out.push_back({line->from, line->to});
+    out.push_back(*drive);
   }
   return out;
 }
 
 // Outputs: the actuators, then the line of each drive, from its near end to its far one, then the partials of all of these.
-program::Program motions_of_drives(const Machine& machine, const std::vector<Drive>& drives) {
+program::Program motions_of_drives(const Machine& machine, const std::vector<TelescopicDrive>& drives) {
   const Layout& layout = machine.layout();
   program::Recorder recorder(*machine.program());
   const auto at = [&](std::size_t first) { return recorder.output(static_cast<int>(first)); };
   std::vector<Recorded> outputs;
   for (std::size_t i = 0; i < drives.size(); ++i) outputs.push_back(at(layout.actuator(static_cast<int>(i))));
-  for (const Drive& d : drives)
+  for (const TelescopicDrive& d : drives)
     for (std::size_t x = 0; x < 3; ++x) outputs.push_back(at(layout.joint(d.far) + x) - at(layout.joint(d.near) + x));
   std::vector<int> by(static_cast<std::size_t>(machine.dof()));
   std::iota(by.begin(), by.end(), 0);
@@ -99,7 +87,7 @@ class Minors {
 bool pressure_known(const Machine& machine, std::string* why) { return drives_of(machine, why).has_value(); }
 
 program::Program squared_pressure_cosines(const Machine& machine) {
-  const std::vector<Drive> drives = drives_of(machine, nullptr).value();
+  const std::vector<TelescopicDrive> drives = drives_of(machine, nullptr).value();
   const program::Program motions = motions_of_drives(machine, drives);
   program::Recorder recorder(motions);
   const std::size_t n = drives.size(), values = 4 * n;
