@@ -40,11 +40,25 @@ enum class OfActuator {
   motor_torque,
   motor_speed,
   motor_power,
-  reflected_inertia
+  reflected_inertia,
+  pressure,  // of transmission
+  output,
+  input
 };
 enum class OfJoint { force, moment };  // their sizes
 enum class OfPlatform { velocity, angular_velocity, acceleration, angular_acceleration };
-enum class OfMachine { determinant, condition, total_power, load_power, kinetic_energy, potential_energy };
+enum class OfMachine {
+  determinant,
+  condition,
+  total_power,
+  load_power,
+  kinetic_energy,
+  potential_energy,
+  local_transmission,
+  least_cosine,
+  local_conditioning,
+  manipulability
+};
 
 // What stands behind the name of its actuator, and names the group of all actuators too: "motor_torque".
 std::string word_of(OfActuator what);
@@ -59,6 +73,7 @@ ColumnId column_of(const Actuator& actuator, OfMotion what = OfMotion::value);
 ColumnId column_of(const Actuator& actuator, OfActuator what);  // "l1_force", "l1_dynamic_force"
 ColumnId column_of(const Reading& reading);
 ColumnId column_of(const Constraint& constraint);
+ColumnId transmission_of(const Constraint& constraint);   // "constraint1_transmission"
 ColumnId column_of(const Joint& joint, OfJoint what);     // "B1_force"
 ColumnId column_of(OfPlatform vector, std::size_t axis);  // "velocity_x"; `axis`: of the base, 0-2
 ColumnId column_of(OfMachine what);                       // "det_G", "total_power"

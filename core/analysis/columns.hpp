@@ -17,6 +17,7 @@ std::vector<Column> statics_columns(const Topology& t);       // actuator forces
 std::vector<Column> dynamics_columns(const Topology& t);      // actuator forces, powers and energies in motion
 std::vector<Column> drive_columns(const Topology& t);         // what drives and motors must give
 std::vector<Column> reaction_columns(const Topology& t);      // the wrench in every joint, and of every limb on the platform
+std::vector<Column> transmission_columns(const Topology& t);  // how well actuators move the platform, and constraints hold it
 
 // Whether a joint of a kind transmits component c of a wrench in joint axes (joint_frame.hpp): 0-2 force, 3-5 moment about its centre.
 bool transmits(JointKind kind, int c);

@@ -173,6 +173,17 @@ TEST_CASE("at zero tilt the limbs of the P(2PRPU)/PRPS transmit z over their len
     }
 }
 
+TEST_CASE("the P(2PRPU)/PRPS reads the paper's index of its limbs, which is their output transmission at every pose") {
+  const Machine m(test::p2prpu_prps(), default_values(describe(test::p2prpu_prps())));
+  const Transmission t(m);
+  for (const VectorXd& q : random_poses(m, 20, 9)) {
+    const TransmissionIndices at = indices(t, q);
+    for (int i = 0; i < 3; ++i)
+      CHECK(at.actuators[static_cast<std::size_t>(2 + i)].output ==
+            Approx(test::reading(m, q, "mu" + std::to_string(i + 1))).epsilon(1e-11));
+  }
+}
+
 TEST_CASE("pressure angles of the four mechanisms of six degrees of freedom are those of their own model, at home and elsewhere") {
   // [rad], of the model that made parallel-cross.json.
   const struct {

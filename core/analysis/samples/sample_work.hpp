@@ -11,6 +11,7 @@
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/model/outcome.hpp>
 #include <core/mechanics/trajectory/trajectory.hpp>
+#include <core/mechanics/transmission/transmission.hpp>
 #include <core/scenario/load.hpp>
 
 #include <functional>
@@ -21,10 +22,17 @@ namespace pmreport::analysis {
 // Each thread has its own, with the buffers it reuses.
 class SampleWork {
  public:
-  // `length`: characteristic length [m].
+  // `length`: characteristic length [m]; `transmission`: null where nobody asks for it.
   SampleWork(const mechanics::Trajectory& trajectory, const scenario::Load& load, const mechanics::Machine& m,
-             const mechanics::Closure& closure, double length, const Asked& asked)
-      : trajectory_(trajectory), load_(load), machine_(m), closure_(closure), forward_(m), length_(length), asked_(asked) {}
+             const mechanics::Closure& closure, double length, const Asked& asked, const mechanics::Transmission* transmission = nullptr)
+      : trajectory_(trajectory),
+        load_(load),
+        machine_(m),
+        closure_(closure),
+        forward_(m),
+        length_(length),
+        asked_(asked),
+        transmission_(transmission) {}
 
   using Put = std::function<void(const ColumnId& column, double value)>;
 
@@ -35,6 +43,7 @@ class SampleWork {
 
  private:
   void kinematics(const Put& put, const mechanics::ClosedForm& c);
+  void transmission(const Put& put);
   void prove_rates(Row& row, const mechanics::ClosedForm& c, const mechanics::GenericModel& model);
   void round_trip(int sample, int previous, double condition, Row& row);
   void statics(int sample, Row& row, const Put& put, const mechanics::ClosedForm& c, const mechanics::GenericModel& model);
@@ -47,6 +56,8 @@ class SampleWork {
   mechanics::ForwardSolver forward_;
   double length_;
   Asked asked_;
+  const mechanics::Transmission* transmission_;
+  mechanics::Transmission::Work transmission_work_;
   mechanics::State state_;
   HoldingWrenches wrenches_;
 };

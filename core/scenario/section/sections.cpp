@@ -81,6 +81,7 @@ Needs& Needs::operator|=(const Needs& more) {
   dynamics |= more.dynamics;
   drives |= more.drives;
   reactions |= more.reactions;
+  transmission |= more.transmission;
   pictures |= more.pictures;
   values_of_others |= more.values_of_others;
   displacement_evidence |= more.displacement_evidence;
