@@ -2,7 +2,7 @@
 #include <core/mechanics/machine/joint_words.hpp>
 #include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/joint_motion.hpp>
-#include <core/mechanics/workspace/limb_line.hpp>
+#include <core/mechanics/machine/limb_line.hpp>
 
 #include <fmt/core.h>
 

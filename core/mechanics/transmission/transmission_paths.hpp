@@ -6,8 +6,8 @@
 // at random poses is taken as a property of the mechanism: its rows are analytic in the coordinates.
 #pragma once
 
+#include <core/mechanics/machine/limb_line.hpp>
 #include <core/mechanics/machine/machine.hpp>
-#include <core/mechanics/workspace/limb_line.hpp>
 
 #include <optional>
 #include <string>

@@ -25,7 +25,12 @@ std::string where(const Topology& t, const Eigen::VectorXd& home, const Eigen::V
   return parts.empty() ? "home" : listed(parts);
 }
 
-std::string number(double x, int digits = 4) { return std::isfinite(x) ? typeset(format_number(x, digits)) : std::string("–"); }
+// What is left of an index on a singular surface by rounding.
+double without_rounding(double x) { return std::abs(x) < 1e-12 ? 0 : x; }
+
+std::string number(double x, int digits = 4) {
+  return std::isfinite(x) ? typeset(format_number(without_rounding(x), digits)) : std::string("–");
+}
 
 // The least of a group of columns, or the largest, with the name of what it belongs to: "0.344 (ρ₁)".
 std::string worst_of(const std::vector<Column>& columns, const std::vector<double>& numbers, const std::string& group, bool largest,
@@ -126,12 +131,17 @@ MapOfTransmission transmission_map(const Analysis& a, const MapRequest& request)
     for (const auto& [name, value] : {std::pair{"map_min_", least}, {"map_max_", most}, {"map_mean_", mean}})
       out.values.push_back({"transmission", name + c.name, c.unit, value});
     if (count > 0)
-      sentences.push_back(fmt::format("{} is {} to {}, {} in the mean{}", c.name, show(least, c.unit), show(most, c.unit),
+      sentences.push_back(fmt::format("{} is {} to {}, {} in the mean{}", c.name, show(without_rounding(least), c.unit), show(most, c.unit),
                                       show(mean, c.unit),
                                       is_index(c) ? fmt::format(", and 0.7 or more at {} of {} poses", good, count) : ""));
   }
+  const bool line = std::ranges::any_of(indices, [](const MapIndex& index) {
+    const double level = index.contour ? index.contour->level : nan;
+    return std::ranges::any_of(index.values, [&](double x) { return x < level; }) &&
+           std::ranges::any_of(index.values, [&](double x) { return x > level; });
+  });
   out.drawn = draw_map(a, map, "transmission-map",
-                       fmt::format("{}. The strong line is where a transmission of 0.7 begins.", listed(panels)), indices);
+                       listed(panels) + (line ? ". The strong line is where a transmission of 0.7 begins." : "."), indices);
   out.told = sentences.empty() ? "No pose of the map can be assembled." : fmt::format("Over the map {}.", fmt::join(sentences, "; "));
   return out;
 }

@@ -15,8 +15,8 @@ using mechanics::Transmission;
 
 namespace {
 
-document::Table sources() {
-  return {
+document::Table sources(const Transmission& t) {
+  document::Table out{
       "Indices of transmission. f, g: direction of a force; v: velocity of the point that it acts at, while one actuator moves and all "
       "others "
       "are held, by a column of the inverse of G; c: a couple; ω: angular velocity. Each is 1 at best and 0 where nothing passes on.",
@@ -32,6 +32,8 @@ document::Table sources() {
         "Liu, Chen, Xie 2014"},
        {"local conditioning", "least over largest singular value of Ĝ", "Gosselin and Angeles 1991"},
        {"manipulability", "1 / |det Ĝ|", "Yoshikawa 1985"}}};
+  if (t.paths().constraints.empty()) std::erase_if(out.rows, [](const auto& row) { return row.front() == "constraint transmission"; });
+  return out;
 }
 
 // Actuators with the same reason share a row.
@@ -91,7 +93,7 @@ std::string limits_of_meaning(const Transmission& t) {
 
 std::vector<document::Block> transmission_definitions(const Analysis& a) {
   const Transmission& t = *a.transmission();
-  std::vector<document::Block> out{sources(), places(t), Paragraph{Paragraph::Tone::plain, conditioning_words(t)}};
+  std::vector<document::Block> out{sources(t), places(t), Paragraph{Paragraph::Tone::plain, conditioning_words(t)}};
   if (std::string words = limits_of_meaning(t); !words.empty()) out.push_back(Paragraph{Paragraph::Tone::note, std::move(words)});
   return out;
 }

@@ -273,7 +273,7 @@ void complete_workspace(scenario::TableReader& table, const Reading& r, scenario
   const bool proof_alone = request.methods == std::vector{ScanMethod::proof};
   const auto is_index = [](const mechanics::AskedLimit& a) {
     return std::holds_alternative<mechanics::AskedPressure>(a.what) || std::holds_alternative<mechanics::AskedCondition>(a.what) ||
-           std::holds_alternative<mechanics::AskedCompliance>(a.what);
+           std::holds_alternative<mechanics::AskedCompliance>(a.what) || std::holds_alternative<mechanics::AskedTransmission>(a.what);
   };
   if (const Entry* limit = table.find("limit"); limit != nullptr && proof_alone && std::ranges::any_of(request.limits.asked, is_index))
     diagnostics.add(limit->place, "no proof looks at an index, and the section has no other method",

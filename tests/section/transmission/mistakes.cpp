@@ -55,3 +55,13 @@ TEST_CASE("without motion, pose, map and grid there is nothing to look at") {
   CHECK_THAT(told(text), Contains("has nothing to look at: there is no motion, no pose, no map and no grid"));
   CHECK(told(text + "grid = { x = [\"0 mm\", \"1 mm\", 3] }\n").empty());
 }
+
+TEST_CASE("a workspace refuses a limit on an index that the mechanism has not, or that no pose could keep") {
+  const auto limited = [](const std::string& limit) {
+    return told(with_more(
+        "[[section]]\nkind = \"workspace\"\nmethod = \"grid\"\nscan = { x = [\"-10 mm\", \"10 mm\", 3] }\n[[section.limit]]\n" + limit));
+  };
+  CHECK_THAT(limited("index = \"transmission\"\nmin = \"0.7\"\n"),
+             Contains("the local transmission index is not known, for psi has none: it turns the platform by a couple"));
+  CHECK_THAT(limited("index = \"pressure\"\nmax = \"45 deg\"\n"), Contains("the pressure angle of psi is not known"));
+}

@@ -159,3 +159,20 @@ TEST_CASE("the section says who defined what, and what the indices leave out") {
        {"Chen and Angeles 2007", "Takeda and Funabashi 1995", "Wang, Wu, Liu 2010", "Liu, Chen, Xie 2014", "Brinker, Corves, Takeda"})
     CHECK_THAT(text, Contains(source));
 }
+
+TEST_CASE("a workspace may demand a local transmission index, judged pose by pose and said so") {
+  const auto limited = [](const std::string& least) {
+    return "title = \"Two legs\"\n[mechanism]\nuse = \"two-legs\"\n[[section]]\nkind = \"workspace\"\nmethod = \"grid\"\nlimits = "
+           "[\"strokes\"]\n"
+           "scan = { x = [\"3 mm\", \"303 mm\", 21], y = [\"105 mm\", \"505 mm\", 21] }\npictures = false\nsafe = false\n"
+           "[[section.limit]]\nindex = \"transmission\"\nmin = \"" +
+           least + "\"\n";
+  };
+  const auto r = report_of(limited("0.7"), test::only<test::TwoLegs>());
+  int good = 0;
+  for (int i = 0; i < 21; ++i)
+    for (int k = 0; k < 21; ++k) good += sine(0.003 + 0.3 * i / 20, 0.105 + 0.4 * k / 20) >= 0.7 ? 1 : 0;
+  CHECK(good > 50);
+  CHECK(value(r, "accepted") == good);
+  CHECK_THROWS_WITH(report_of(limited("1.2"), test::only<test::TwoLegs>()), Contains("expected an index from 0 to 1"));
+}

@@ -1,4 +1,4 @@
-#include <core/mechanics/workspace/limb_line.hpp>
+#include <core/mechanics/machine/limb_line.hpp>
 
 #include <algorithm>
 #include <cmath>
