@@ -54,3 +54,38 @@ TEST_CASE("means and extremes over a grid of the Delta robot equal the reference
   CHECK(local.least_at(1) == Approx(at["y"].get<double>()));
   CHECK(local.least_at(2) == Approx(at["z"].get<double>()));
 }
+
+TEST_CASE("columns of transmission are one an index, with a reason for each that the mechanism lacks, and belong to what they are of") {
+  const mechanics::Machine m(test::delta(), test::values_with(test::delta(), {}));
+  const std::vector<Column> columns = transmission_columns(m.topology());
+  const std::vector<std::string> reasons = why_without(mechanics::Transmission(m));
+  REQUIRE(columns.size() == 3 * 3 + 3 + 4);
+  REQUIRE(reasons.size() == columns.size());
+  CHECK(std::ranges::all_of(reasons, &std::string::empty));
+  CHECK(columns[0].name == "theta1_pressure");
+  CHECK(columns[0].unit == "rad");
+  CHECK(owner_of(columns[0]) == "theta1");
+  CHECK(owner_of(columns[3]) == "theta1");
+  CHECK(owner_of(columns[9]) == "couple1");
+}
+
+TEST_CASE("a grid of one pose has the numbers of that pose, and one without an accepted pose has none") {
+  const mechanics::Machine m(test::delta(), test::values_with(test::delta(), {}));
+  const mechanics::Transmission t(m);
+  GridRequest request;
+  const double z = m.home()(2);
+  request.ranges.push_back({2, z, z, 1});
+  const auto one = transmission_grid(t, request);
+  REQUIRE(one);
+  CHECK(one->accepted == 1);
+  std::vector<double> here(16);
+  mechanics::Transmission::Work work;
+  const Eigen::VectorXd home = m.home();
+  transmission_numbers(t, {home.data(), 3}, work, here);
+  for (std::size_t i = 0; i < here.size(); ++i) CHECK(one->indices[i].mean == here[i]);
+  request.ranges[0] = {2, 100, 100, 1};
+  const auto none = transmission_grid(t, request);
+  REQUIRE(none);
+  CHECK(none->accepted == 0);
+  CHECK(std::isnan(none->indices[0].mean));
+}

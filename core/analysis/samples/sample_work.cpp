@@ -106,11 +106,9 @@ void SampleWork::kinematics(const Put& put, const mechanics::ClosedForm& c) {
 void SampleWork::transmission(const Put& put) {
   std::vector<double> q;
   for (const mechanics::Scalar& x : state_.coordinates) q.push_back(x.value);
-  const std::vector<Column> columns = transmission_columns(machine_.topology());
-  std::vector<double> numbers(columns.size());
-  transmission_numbers(*transmission_, q, transmission_work_, numbers);
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    if (std::isfinite(numbers[i])) put(columns[i], numbers[i]);
+  transmission_numbers(*transmission_, q, transmission_work_, transmission_numbers_);
+  for (std::size_t i = 0; i < transmission_columns_.size(); ++i)
+    if (std::isfinite(transmission_numbers_[i])) put(transmission_columns_[i], transmission_numbers_[i]);
 }
 
 // Of velocities and accelerations together: they share what they are made of.

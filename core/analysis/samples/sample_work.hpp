@@ -2,7 +2,7 @@
 #pragma once
 
 #include <core/analysis/asked.hpp>
-#include <core/analysis/column_names.hpp>
+#include <core/analysis/columns.hpp>
 #include <core/analysis/conditioning.hpp>
 #include <core/analysis/residuals.hpp>
 #include <core/mechanics/displacement/displacement.hpp>
@@ -16,6 +16,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace pmreport::analysis {
 
@@ -32,7 +33,11 @@ class SampleWork {
         forward_(m),
         length_(length),
         asked_(asked),
-        transmission_(transmission) {}
+        transmission_(transmission) {
+    if (transmission == nullptr) return;
+    for (const Column& c : transmission_columns(m.topology())) transmission_columns_.emplace_back(c);
+    transmission_numbers_.resize(transmission_columns_.size());
+  }
 
   using Put = std::function<void(const ColumnId& column, double value)>;
 
@@ -58,6 +63,8 @@ class SampleWork {
   Asked asked_;
   const mechanics::Transmission* transmission_;
   mechanics::Transmission::Work transmission_work_;
+  std::vector<ColumnId> transmission_columns_;
+  std::vector<double> transmission_numbers_;
   mechanics::State state_;
   HoldingWrenches wrenches_;
 };
