@@ -47,6 +47,7 @@ Analysis::Analysis(const scenario::Scenario& scenario, const mechanics::Trajecto
   mobility_ = mechanics::mobility(machine, s);
   run(progress);
   if (asked_.forces) run_dynamics(progress);
+  if (asked_.stiffness) run_stiffness(progress);
   breaches_ = find_breaches(machine.topology(), columns_);
   proof_.unexamined = "there is no motion";
   if (!asked_.singularities) return;

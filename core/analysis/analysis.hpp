@@ -12,6 +12,7 @@
 #include <core/analysis/progress.hpp>
 #include <core/analysis/proof/proof.hpp>
 #include <core/analysis/residuals.hpp>
+#include <core/analysis/samples/elastic_reactions.hpp>
 #include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/model/outcome.hpp>
 #include <core/mechanics/reactions/reactions.hpp>
@@ -60,6 +61,10 @@ class Analysis {
   bool has_dynamics() const { return asked_.forces; }                                 // a section or a limit asks for forces in motion
   const std::vector<Indeterminate>& indeterminate() const { return indeterminate_; }  // of each joint, in any sample
   int self_stresses() const { return self_stresses_; }                                // most in any sample
+  const ElasticReactions& elastic_reactions() const { return elastic_; }  // of joint reactions; indeterminate() is without what is settled
+
+  // At every sample, at the tool, in the axes of section `stiffness`; NaN where there is none. Empty: nobody asked.
+  const std::vector<mechanics::Matrix6d>& compliances() const { return compliances_; }
 
   const HoldingWrenches& wrenches(int sample) const { return wrenches_[static_cast<std::size_t>(sample)]; }
   bool singular_everywhere() const { return singular_everywhere_; }  // the architecture: the actuators hold the platform at no pose
@@ -82,6 +87,7 @@ class Analysis {
   void run_dynamics(const Progress&);
   void add_force_columns();
   void balance_power();
+  void run_stiffness(const Progress& progress);  // in stiffness/along_motion.cpp
 
   const scenario::Scenario& scenario_;
   const mechanics::Trajectory& trajectory_;
@@ -102,6 +108,8 @@ class Analysis {
   MotionProof proof_;
   std::vector<Indeterminate> indeterminate_;
   int self_stresses_ = 0;
+  ElasticReactions elastic_;
+  std::vector<mechanics::Matrix6d> compliances_;
 };
 
 }  // namespace pmreport::analysis

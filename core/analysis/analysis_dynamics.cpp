@@ -77,7 +77,9 @@ void Analysis::run_dynamics(const Progress& progress) {
     });
   }
   indeterminate_.assign(t.joints.size(), 0);
+  elastic_.settled.assign(t.joints.size(), 0);
   for (const SampleForces& worker : workers) {
+    elastic_.join(worker.elastic());
     self_stresses_ = std::max(self_stresses_, worker.self_stresses());
     for (std::size_t j = 0; j < indeterminate_.size(); ++j)
       indeterminate_[j] = static_cast<Indeterminate>(indeterminate_[j] | worker.indeterminate()[j]);

@@ -32,6 +32,7 @@ Asked asked_by(const scenario::Scenario& s) {
   for (const scenario::Section& section : s.sections)
     if (const auto* request = dynamic_cast<const TransmissionRequest*>(section.options.get()))
       out.transmission_length = request->length.value_or(0);
+  out.stiffness = needs.stiffness;
   return out;
 }
 

@@ -57,6 +57,32 @@ const char* name_of(OfMachine what) {
   return "";
 }
 
+const char* name_of(OfStiffness what) {
+  switch (what) {
+    case OfStiffness::deflection_size:
+      return "deflection_size";
+    case OfStiffness::load_deflection:
+      return "load_deflection";
+    case OfStiffness::weight_deflection:
+      return "weight_deflection";
+    case OfStiffness::inertia_deflection:
+      return "inertia_deflection";
+    case OfStiffness::pF_max:
+      return "pF_max";
+    case OfStiffness::pF_min:
+      return "pF_min";
+    case OfStiffness::pT_max:
+      return "pT_max";
+    case OfStiffness::pT_min:
+      return "pT_min";
+    case OfStiffness::PhiT_max:
+      return "PhiT_max";
+    case OfStiffness::PhiT_min:
+      return "PhiT_min";
+  }
+  return "";
+}
+
 OfJoint part_of(int c) { return c < 3 ? OfJoint::force : OfJoint::moment; }
 
 }  // namespace
@@ -107,6 +133,26 @@ std::string word_of(OfPlatform vector) {
       return "acceleration";
     case OfPlatform::angular_acceleration:
       return "angular_acceleration";
+    case OfPlatform::deflection:
+      return "deflection";
+    case OfPlatform::deflection_turn:
+      return "deflection_turn";
+  }
+  return "";
+}
+
+std::string word_of(OfElement what) {
+  switch (what) {
+    case OfElement::axial:
+      return "axial";
+    case OfElement::bending:
+      return "bending";
+    case OfElement::torque:
+      return "torque";
+    case OfElement::buckling:
+      return "buckling";
+    case OfElement::share:
+      return "share";
   }
   return "";
 }
@@ -123,6 +169,10 @@ ColumnId transmission_of(const Constraint& constraint) { return ColumnId::named(
 ColumnId column_of(const Joint& joint, OfJoint what) { return ColumnId::named(joint.name + suffix_of(what)); }
 ColumnId column_of(OfPlatform vector, std::size_t axis) { return ColumnId::named(fmt::format("{}_{}", word_of(vector), "xyz"[axis])); }
 ColumnId column_of(OfMachine what) { return ColumnId::named(name_of(what)); }
+
+ColumnId column_of(const Element& element, OfElement what) { return ColumnId::named(element.name + "_" + word_of(what)); }
+ColumnId column_of(OfStiffness what) { return ColumnId::named(name_of(what)); }
+ColumnId frequency_column(int mode) { return ColumnId::named(fmt::format("frequency{}", mode)); }
 
 ColumnId joint_column(const Joint& joint, std::size_t limit) { return ColumnId::named(mechanics::motion_name(joint, limit)); }
 

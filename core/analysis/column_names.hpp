@@ -46,7 +46,20 @@ enum class OfActuator {
   input
 };
 enum class OfJoint { force, moment };  // their sizes
-enum class OfPlatform { velocity, angular_velocity, acceleration, angular_acceleration };
+enum class OfPlatform { velocity, angular_velocity, acceleration, angular_acceleration, deflection, deflection_turn };
+enum class OfElement { axial, bending, torque, buckling, share };
+enum class OfStiffness {
+  deflection_size,  // of the tool, and of its parts
+  load_deflection,
+  weight_deflection,
+  inertia_deflection,
+  pF_max,
+  pF_min,
+  pT_max,
+  pT_min,
+  PhiT_max,
+  PhiT_min
+};
 enum class OfMachine {
   determinant,
   condition,
@@ -64,6 +77,7 @@ enum class OfMachine {
 std::string word_of(OfActuator what);
 // Of a vector: "angular_velocity"; its group is called alike.
 std::string word_of(OfPlatform vector);
+std::string word_of(OfElement what);
 // The group of what moves, of the kind "coordinate", "derived" or "actuator": its values "actuator", its rates "actuator_rate".
 std::string group_of(const std::string& kind, OfMotion what);
 
@@ -73,10 +87,13 @@ ColumnId column_of(const Actuator& actuator, OfMotion what = OfMotion::value);
 ColumnId column_of(const Actuator& actuator, OfActuator what);  // "l1_force", "l1_dynamic_force"
 ColumnId column_of(const Reading& reading);
 ColumnId column_of(const Constraint& constraint);
-ColumnId transmission_of(const Constraint& constraint);   // "constraint1_transmission"
-ColumnId column_of(const Joint& joint, OfJoint what);     // "B1_force"
-ColumnId column_of(OfPlatform vector, std::size_t axis);  // "velocity_x"; `axis`: of the base, 0-2
-ColumnId column_of(OfMachine what);                       // "det_G", "total_power"
+ColumnId transmission_of(const Constraint& constraint);      // "constraint1_transmission"
+ColumnId column_of(const Joint& joint, OfJoint what);        // "B1_force"
+ColumnId column_of(OfPlatform vector, std::size_t axis);     // "velocity_x"; `axis`: of the base, 0-2
+ColumnId column_of(OfMachine what);                          // "det_G", "total_power"
+ColumnId column_of(const Element& element, OfElement what);  // "leg1_axial"
+ColumnId column_of(OfStiffness what);                        // "pF_max"
+ColumnId frequency_column(int mode);                         // from 1: "frequency1"
 
 // Of limit number `limit` of a joint: "A1_deflection", "B5_angle", "U1_angle2".
 ColumnId joint_column(const Joint& joint, std::size_t limit);

@@ -19,6 +19,10 @@ std::vector<Column> drive_columns(const Topology& t);         // what drives and
 std::vector<Column> reaction_columns(const Topology& t);      // the wrench in every joint, and of every limb on the platform
 std::vector<Column> transmission_columns(const Topology& t);  // how well actuators move the platform, and constraints hold it
 
+// Deflection of the tool, indices, frequencies; of every element its share, of every beam its internal forces. Those of a motion's loads come
+// first.
+std::vector<Column> stiffness_columns(const Topology& t);
+
 // Whether a joint of a kind transmits component c of a wrench in joint axes (joint_frame.hpp): 0-2 force, 3-5 moment about its centre.
 bool transmits(JointKind kind, int c);
 

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* rebuild = "build the plugin again with the headers of this pmreport";
 constexpr const char* repair = "correct the declaration and build the plugin again";
 
-// Sizes in version 1.0, by each struct's last member then: they stay when the structs grow.
+// Sizes in the version that brought each struct (most of them 1.0), by its last member then: they stay when the structs grow.
 #define PM_SIZE_TO(type, member) (offsetof(type, member) + sizeof(type::member))
 constexpr std::size_t table_size = PM_SIZE_TO(pm_plugin_table, mechanisms);
 constexpr std::size_t mechanism_size = PM_SIZE_TO(pm_mechanism, appearance);
@@ -27,6 +27,8 @@ constexpr std::size_t statics_size = PM_SIZE_TO(pm_statics, jacobian);
 constexpr std::size_t dynamics_size = PM_SIZE_TO(pm_dynamics, inertias);
 constexpr std::size_t closed_forms_size = PM_SIZE_TO(pm_closed_forms, read);
 constexpr std::size_t closed_forms_end = PM_SIZE_TO(pm_mechanism, closed_forms);
+constexpr std::size_t elasticity_size = PM_SIZE_TO(pm_elasticity, elements);
+constexpr std::size_t elasticity_end = PM_SIZE_TO(pm_mechanism, elasticity);
 constexpr std::size_t appearance_size = PM_SIZE_TO(pm_appearance, shapes);
 #undef PM_SIZE_TO
 
@@ -132,6 +134,10 @@ void require_mechanism(const std::string& where, const pm_mechanism& m) {
     require_present(where, "the function closed_forms.evaluate", m.closed_forms->evaluate != nullptr);
     require_present(where, "the function closed_forms.readings", m.closed_forms->readings != nullptr);
     require_present(where, "the function closed_forms.read", m.closed_forms->read != nullptr);
+  }
+  if (m.struct_size >= elasticity_end && m.elasticity != nullptr) {
+    require_size(where, "the table elasticity", m.elasticity->struct_size, elasticity_size);
+    require_present(where, "the function elasticity.elements", m.elasticity->elements != nullptr);
   }
   require_parameters(where, m.parameters);
 }

@@ -14,6 +14,16 @@ SmallVector symmetric_eigenvalues(const SmallMatrix& m) {
   return Eigen::SelfAdjointEigenSolver<SmallMatrix>(m, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
+SymmetricEigen6 symmetric_eigen(const Matrix6d& m) {
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> parts(m);
+  return {parts.eigenvalues(), parts.eigenvectors()};
+}
+
+SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& m) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(m);
+  return {parts.eigenvalues(), parts.eigenvectors()};
+}
+
 Eigen::MatrixXd stationary_vectors(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   PMREPORT_ASSERT(a.rows() == b.rows(), "both forms are of the same vectors");
   return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(a, b).eigenvectors();

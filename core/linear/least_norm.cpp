@@ -14,12 +14,16 @@ VectorXd least_norm_solution(const MatrixXd& a, const VectorXd& b) {
   return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(a).solve(b);
 }
 
-VectorXd least_norm_solution(const MatrixXd& a, const VectorXd& b, double tolerance) {
-  PMREPORT_ASSERT(b.size() == a.rows(), "a right side is as long as its matrix is high");
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
-  solver.setThreshold(tolerance);
-  solver.compute(a);
-  return solver.solve(b);
+VectorXd least_norm_solution(const MatrixXd& a, const VectorXd& b, double tolerance) { return LeastNorm(a, tolerance).solve(b); }
+
+LeastNorm::LeastNorm(const MatrixXd& a, double tolerance) {
+  solver_.setThreshold(tolerance);
+  solver_.compute(a);
+}
+
+MatrixXd LeastNorm::solve(const MatrixXd& b) const {
+  PMREPORT_ASSERT(b.rows() == solver_.rows(), "a right side is as long as its matrix is high");
+  return solver_.solve(b);
 }
 
 }  // namespace pmreport::linear

@@ -4,6 +4,7 @@
 #include <core/linear/tolerance.hpp>
 
 #include <Eigen/Core>
+#include <Eigen/QR>
 
 namespace pmreport::linear {
 
@@ -13,5 +14,15 @@ Eigen::VectorXd least_norm_solution(const Eigen::MatrixXd& a, const Eigen::Vecto
 
 // The same with pivots below `tolerance` of the largest as zero: for systems that may be singular.
 Eigen::VectorXd least_norm_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, double tolerance);
+
+// A matrix factorised once, for several right sides.
+class LeastNorm {
+ public:
+  LeastNorm(const Eigen::MatrixXd& a, double tolerance);
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;  // a column each
+
+ private:
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver_;
+};
 
 }  // namespace pmreport::linear

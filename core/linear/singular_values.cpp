@@ -11,6 +11,8 @@ VectorXd singular_values(const MatrixXd& m) { return Eigen::BDCSVD<MatrixXd>(m).
 
 Vector6d singular_values(const Matrix6d& m) { return Eigen::JacobiSVD<Matrix6d>(m).singularValues(); }
 
+Eigen::Vector3d singular_values(const Eigen::Matrix3d& m) { return Eigen::JacobiSVD<Eigen::Matrix3d>(m).singularValues(); }
+
 RightSingular right_singular(const Matrix6d& m) {
   const Eigen::JacobiSVD<Matrix6d> svd(m, Eigen::ComputeFullV);
   return {svd.singularValues(), svd.matrixV()};

@@ -13,6 +13,8 @@ Eigen::VectorXd singular_values(const Eigen::MatrixXd& m);
 // Those of a wrench or twist Jacobian, by Jacobi's rotations: small ones keep their relative accuracy.
 Vector6d singular_values(const Matrix6d& m);
 
+Eigen::Vector3d singular_values(const Eigen::Matrix3d& m);
+
 // With the unit vectors v_k that m shortens, or lengthens, to s_k: columns of V, each up to its sign.
 struct RightSingular {
   Vector6d values;

@@ -65,6 +65,7 @@ struct Instance {
   std::vector<pm_shape> shapes;
   std::vector<pm_matrix> matrices;
   std::vector<pm_reading> readings;
+  std::vector<pm_element> elements;
 
   explicit Instance(const Parameters& p) : mechanism(p), topology(mechanism.topology()), layout(topology) {
     const Topology& t = topology;
@@ -106,6 +107,24 @@ struct Instance {
       for (int k = 0; k < 3; ++k) o.a[k] = s.a(k), o.b[k] = s.b(k);
       shapes.push_back(o);
     }
+    for (const auto& e : t.elements)
+      elements.push_back({e.name.c_str(),
+                          e.title.c_str(),
+                          static_cast<pm_element_kind>(e.kind),
+                          e.from,
+                          e.to,
+                          e.beside,
+                          e.actuator,
+                          e.material.modulus,
+                          e.material.shear_modulus,
+                          e.material.expansion,
+                          e.section.area,
+                          {e.section.bending[0], e.section.bending[1]},
+                          e.section.torsion,
+                          static_cast<pm_bending>(e.bends),
+                          e.buckling_length,
+                          e.offset,
+                          {e.stiffness[0], e.stiffness[1], e.stiffness[2], e.stiffness[3]}});
     for (const auto& r : t.readings) readings.push_back({r.name.c_str(), r.title.c_str(), r.unit.c_str()});
     for (const auto& m : t.matrices)
       matrices.push_back({m.name.c_str(), m.title.c_str(), static_cast<std::size_t>(m.rows), static_cast<std::size_t>(m.columns),
@@ -304,6 +323,8 @@ inline constexpr pm_statics statics{sizeof(pm_statics), Functions<M>::template l
 template <class M>
 inline constexpr pm_dynamics dynamics{sizeof(pm_dynamics), Functions<M>::template listing<&Instance<M>::inertias>};
 template <class M>
+inline constexpr pm_elasticity elasticity{sizeof(pm_elasticity), Functions<M>::template listing<&Instance<M>::elements>};
+template <class M>
 inline constexpr pm_appearance appearance{sizeof(pm_appearance), Functions<M>::template listing<&Instance<M>::shapes>};
 
 template <class M>
@@ -320,7 +341,8 @@ inline constexpr pm_mechanism mechanism{sizeof(pm_mechanism),
                                         &dynamics<M>,
                                         &appearance<M>,
                                         &ClosedForms<M>::table,
-                                        record<M>};
+                                        record<M>,
+                                        &elasticity<M>};
 
 template <class... M>
 inline constexpr std::array<const pm_mechanism*, sizeof...(M)> mechanisms{&mechanism<M>...};

@@ -90,6 +90,9 @@
 //   matrices    optional: what the source states, as it states it.
 //                 std::vector<Eigen::MatrixXd> matrices(const Coordinates<double>&, const Placement<double>&) const;
 //               declared in Topology::matrices with the rates that they act on, so that the program can prove them.
+//   elements    what gives way, for stiffness, deflection and vibration, a line each in `topology`:
+//                 t.add(beam("leg1", joint, joint, steel, tube(0.030, 0.020)));  t.add(spring_drive("drive1", actuator, 30e6));
+//               elastic.hpp has beams, rails, drives, bearings, materials and sections. All else is rigid.
 //   readings    optional: numbers of the source at a pose, without rates, declared in Topology::readings.
 //                 std::vector<double> readings(const Coordinates<double>&, const Placement<double>&) const;
 //
@@ -100,7 +103,7 @@
 // compiler's error names them. A constant vector becomes one of T by c.cast<T>(). Loops of a fixed length are welcome, and an iteration
 // takes a fixed number of steps: README.md shows one.
 //
-// Helpers. rotation.hpp: rotations and frames. leg.hpp: telescopic legs. free_platform.hpp: a platform with six freedoms. parts.hpp:
+// Helpers. elastic.hpp: what gives way. rotation.hpp: rotations and frames. leg.hpp: telescopic legs. free_platform.hpp: a platform with six freedoms. parts.hpp:
 // limits and inertias from parameters. plugin.h says to the last digit what every number means.
 //
 // Then `pmreport check` holds joints, axes, rates, mobility and wrenches against each other, and says what does not fit by its name.

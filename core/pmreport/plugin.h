@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 #define PM_ABI_MAJOR 1u
-#define PM_ABI_MINOR 3u
+#define PM_ABI_MINOR 4u
 
 /* ---- Vocabulary ------------------------------------------------------------------------------------------------------------------- */
 
@@ -287,6 +287,51 @@ typedef struct pm_recording {
   int32_t* outputs; /* the step that gives each number: the scalars of a placement of order PM_VALUE, then the 36 of the overall Jacobian */
 } pm_recording;
 
+/* ---- ELASTICITY: what gives way (since 1.4, optional) ---------------------------------------------------------------------------------
+ */
+
+typedef int32_t pm_element_kind;
+enum {
+  PM_BEAM = 0, /* a straight bar from the centre of joint `from` to that of joint `to`, at whatever distance these are at a pose, through
+                  the bodies between them; it is loaded by what passes through them */
+  PM_RAIL = 1, /* a screw or belt along the slide `from`, which has an actuator: loaded by what joint `to` passes along that slide. Its free
+                  length is the size of the actuator's value, and `offset`: rigid where that is zero */
+  PM_DRIVE = 2,  /* servo, gears and screw of an actuator, in series with its force */
+  PM_BEARING = 3 /* joint `to` itself, about its centre */
+};
+typedef int32_t pm_bending;
+enum {
+  PM_BENDING_NONE = 0,    /* a bar that is stretched and twisted */
+  PM_BENDING_COUPLES = 1, /* bent by the couple that acts at joint `to`, as if no force across it did */
+  PM_BENDING_FULL = 2     /* by forces and couples (Euler and Bernoulli) */
+};
+
+/* What has no use for an element is not looked at. A stiffness, modulus, area or second moment above zero; infinite: it does not give. */
+typedef struct pm_element {
+  const char* name;  /* letters, digits, underscores: columns are called after it */
+  const char* title; /* a few words for a table */
+  pm_element_kind kind;
+  int32_t from, to;              /* joints */
+  int32_t beside;                /* beam: a further joint of the body at its end, which then lies halfway between both; -1: none */
+  int32_t actuator;              /* of a drive */
+  double modulus, shear_modulus; /* beams and rails: Young's and shear modulus [Pa] */
+  double expansion;              /* by temperature [1/K] */
+  double area;                   /* [m^2] */
+  double bending[2]; /* second moments of area [m^4] about the x and y axes of the first body of the beam, as far as these lie across it */
+  double torsion;    /* torsion constant [m^4] */
+  pm_bending bends;
+  double buckling_length; /* of a beam, by its length: 1 between hinges, 0.5 between clamps, 2 with a free end; 0: it is not slender */
+  double offset;          /* of a rail [m], zero or more */
+  /* Of a drive: the first [N/m], [N m/rad]. Of a bearing: along axis 1 of its joint, across it [N/m]; about axis 1, about the axes across
+     it [N m/rad]. The axis of a ball is the z axis of its stud. What the joint leaves free is not looked at. */
+  double stiffness[4];
+} pm_element;
+
+typedef struct pm_elasticity {
+  size_t struct_size;
+  pm_status (*elements)(const pm_instance*, pm_list* out, pm_text* message); /* pm_element */
+} pm_elasticity;
+
 /* ---- How it looks ----------------------------------------------------------------------------------------------------------------- */
 
 typedef int32_t pm_shape_kind;
@@ -328,6 +373,7 @@ typedef struct pm_mechanism {
   /* Since 1.3; may be NULL. Writes down what `place`, and `jacobian` of that placement, do with the coordinates: the same operations
      whatever these are, so that the host can run them on other kinds of numbers. The same list at every call. */
   pm_status (*record)(const pm_instance*, pm_recording*, pm_text* message);
+  const pm_elasticity* elasticity; /* may be NULL; since 1.4 */
 } pm_mechanism;
 
 typedef struct pm_plugin_table {

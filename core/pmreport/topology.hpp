@@ -4,6 +4,7 @@
 #include <pmreport/plugin.h>
 
 #include <Eigen/Core>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <stdexcept>
@@ -126,6 +127,34 @@ struct Shape {
   double radius = 0;                                                         // [m]
 };
 
+enum class ElementKind { beam = PM_BEAM, rail = PM_RAIL, drive = PM_DRIVE, bearing = PM_BEARING };
+enum class Bending { none = PM_BENDING_NONE, couples = PM_BENDING_COUPLES, full = PM_BENDING_FULL };
+
+// What a bar is made of; elastic.hpp has a table of the usual ones.
+struct Material {
+  double modulus = 0, shear_modulus = 0;  // [Pa]
+  double expansion = 0;                   // by temperature [1/K]
+};
+struct CrossSection {
+  double area = 0;      // [m^2]
+  double bending[2]{};  // second moments of area about x and y [m^4]
+  double torsion = 0;   // torsion constant [m^4]
+};
+
+// A part that gives way. What each kind means: plugin.h; elastic.hpp makes one in a line.
+struct Element {
+  static constexpr double rigid = std::numeric_limits<double>::infinity();
+
+  std::string name, title;
+  ElementKind kind = ElementKind::beam;
+  int from = -1, to = -1, beside = -1, actuator = -1;
+  Material material{};
+  CrossSection section{};
+  Bending bends = Bending::full;
+  double buckling_length = 1, offset = 0;
+  double stiffness[4] = {rigid, rigid, rigid, rigid};
+};
+
 struct Topology {
   std::vector<Coordinate> coordinates;
   std::vector<Body> bodies{Body{"base", 0, false, {}}};
@@ -136,6 +165,7 @@ struct Topology {
   std::vector<Shape> shapes;
   std::vector<SourceMatrix> matrices;  // what the mechanism's `matrices` fills in, in this order
   std::vector<Reading> readings;       // what its `readings` gives, in this order
+  std::vector<Element> elements;       // what gives way; all else is rigid
   int platform = 0;
   int idle = 0;  // idle freedoms: spins of legs that move nothing else
 
@@ -149,6 +179,7 @@ struct Topology {
   int add(Body x) { return push(bodies, std::move(x)); }
   int add(Joint x) { return push(joints, std::move(x)); }
   int add(Actuator x) { return push(actuators, std::move(x)); }
+  int add(Element x) { return push(elements, std::move(x)); }
   // Draws a solid cylinder fixed to a body along its z axis, from height `low` to `high` [m].
   void draw_along_axis(int body, double low, double high, double radius) {
     shapes.push_back({body, ShapeKind::cylinder, {0, 0, low}, {0, 0, high}, radius});

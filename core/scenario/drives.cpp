@@ -17,12 +17,13 @@ bool linear(const Actuator& a) { return a.sense() == Sense::linear; }
 
 // What one table says. A key that is there keeps its place although its value may be wrong, and told.
 struct Said {
-  std::optional<double> efficiency, lead, ratio, inertia;  // [-], [m], [-], [kg m^2]
+  std::optional<double> efficiency, lead, ratio, inertia, stiffness;  // [-], [m], [-], [kg m^2], [N/m] or [N m/rad]
   std::optional<EfficiencyConvention> convention;
   const Entry *lead_at = nullptr, *ratio_at = nullptr, *inertia_at = nullptr;
 };
 
-Said read_said(const Value& content, TableReader& table) {
+// `stiffness_unit`: of the actuators that the table is for; nullptr: they differ.
+Said read_said(const Value& content, TableReader& table, const char* stiffness_unit) {
   const Reader& reader = table.read();
   Said out;
   const auto read = [&](const char* key, double least, double most, const char* unit, std::optional<double>& value) {
@@ -37,6 +38,11 @@ Said read_said(const Value& content, TableReader& table) {
   out.lead_at = read("lead", 0.001, 10000, "mm", out.lead);
   out.ratio_at = read("ratio", 0.001, 1e6, "", out.ratio);
   out.inertia_at = read("inertia", 0, 1000, "kg*m^2", out.inertia);
+  if (stiffness_unit != nullptr)
+    read("stiffness", 1e-9, 1e15, stiffness_unit, out.stiffness);
+  else if (const Entry* e = table.find("stiffness"))
+    reader.diagnostics().add(e->place, "linear and rotary actuators have stiffnesses of different units",
+                             "give it in [drive.NAME] of each");
   if (content.entries.empty())
     reader.diagnostics().add(table.place(), "expected what the drive is made of, seen an empty table",
                              "add, for instance, efficiency = 0.9");
@@ -81,7 +87,12 @@ std::vector<DriveTrain> read_drives(const Entry* entry, const MechanismPart& mec
   if (content == nullptr || !mechanism.topology) return {};
   const std::vector<Actuator>& actuators = mechanism.topology->actuators;
   TableReader table(*content, "[drive]", entry->place, reader);
-  const Said all = read_said(*content, table);
+  constexpr const char *of_linear = "N/um", *of_rotary = "N*m/rad";
+  const auto screws = std::ranges::count_if(actuators, linear);
+  const Said all = read_said(*content, table,
+                             screws == 0                                            ? of_rotary
+                             : static_cast<std::size_t>(screws) == actuators.size() ? of_linear
+                                                                                    : nullptr);
   if (std::none_of(actuators.begin(), actuators.end(), linear)) refuse_lead(all, "all actuators are", reader);
   if (std::all_of(actuators.begin(), actuators.end(), linear)) refuse_ratio(all, "all actuators are", reader);
 
@@ -92,7 +103,7 @@ std::vector<DriveTrain> read_drives(const Entry* entry, const MechanismPart& mec
     if (const Entry* e = table.find(a.name))
       if (const Value* of_one = table_of(e, "drive." + a.name, reader)) {
         TableReader one(*of_one, fmt::format("[drive.{}]", a.name), e->place, reader);
-        own = read_said(*of_one, one);
+        own = read_said(*of_one, one, linear(a) ? of_linear : of_rotary);
         one.finish();
         linear(a) ? refuse_ratio(own, a.name + " is", reader) : refuse_lead(own, a.name + " is", reader);
       }
@@ -101,6 +112,7 @@ std::vector<DriveTrain> read_drives(const Entry* entry, const MechanismPart& mec
     d.efficiency = either(own.efficiency, all.efficiency).value_or(1);
     d.convention = either(own.convention, all.convention).value_or(EfficiencyConvention::by_power);
     d.inertia = either(own.inertia, all.inertia).value_or(0);
+    d.stiffness = either(own.stiffness, all.stiffness).value_or(0);
     if (const auto lead = either(own.lead, all.lead); linear(a) && lead) d.ratio = 2 * std::numbers::pi / *lead;
     if (const auto ratio = either(own.ratio, all.ratio); !linear(a) && ratio) d.ratio = *ratio;
     const bool geared = linear(a) ? own.lead_at != nullptr || all.lead_at != nullptr : own.ratio_at != nullptr || all.ratio_at != nullptr;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <core/scenario/elasticity_part.hpp>
 #include <core/scenario/load_part.hpp>
 #include <core/scenario/loaded.hpp>
 #include <core/scenario/motion/motion_part.hpp>
@@ -69,7 +70,8 @@ Loaded load_text(const std::string& text, const Origin& origin) {
 
   MechanismPart mechanism = read_mechanism(table.find("mechanism"), origin.source, reader);
   const Entry *motion_at = table.find("motion"), *load_at = table.find("load"), *drive = table.find("drive"),
-              *limits = table.find("limits"), *sections = table.find("section");
+              *limits = table.find("limits"), *elasticity = table.find("elasticity"), *elements = table.find("element"),
+              *sections = table.find("section");
   LoadPart load = read_load(load_at, reader);
   const bool motion_needed = need_motion(sections, kinds);
   MotionPart motion = read_motion(motion_at, motion_needed, mechanism, load.load, file, reader);
@@ -81,7 +83,9 @@ Loaded load_text(const std::string& text, const Origin& origin) {
                         fmt::format("remove it, or add [motion], duration = \"10 s\" and samples = 501"));
   s.drives = read_drives(drive, mechanism, reader);
   s.limits = read_limits(limits, mechanism, reader);
-  const GivenTable tables[] = {{"drive", drive}, {"limits", limits}};
+  read_elasticity(elasticity, elements, s.drives, mechanism, reader);
+  const bool elastic_drives = std::ranges::any_of(s.drives, [](const mechanics::DriveTrain& d) { return d.stiffness > 0; });
+  const GivenTable tables[] = {{"drive", drive, elastic_drives}, {"limits", limits}};
   s.sections = read_sections(sections, kinds, motion.span, mechanism, tables, s.drives, origin, reader);
   s.checks = read_checks(table.find("check"), {s.sections, mechanism.topology, motion.span, s.drives, kinds}, reader);
   table.finish();

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -34,6 +35,7 @@ constexpr Row table[] = {
     {"ft", 0.3048, length},
     {"rad", 1, angle},
     {"mrad", 1e-3, angle},
+    {"nrad", 1e-9, angle},
     {"urad", 1e-6, angle},
     {"µrad", 1e-6, angle},
     {"μrad", 1e-6, angle},
@@ -48,6 +50,8 @@ constexpr Row table[] = {
     {"rpm", turn / 60, angular_velocity},
     {"N", 1, force},
     {"kN", 1e3, force},
+    {"MN", 1e6, force},
+    {"GN", 1e9, force},
     {"mN", 1e-3, force},
     {"lbf", pound* standard_gravity, force},
     {"kgf", standard_gravity, force},
@@ -133,8 +137,13 @@ bool multiply(Unit& unit, std::string_view factor, int sign) {
   return false;
 }
 
-// As a typesetter writes a unit: N·m, m/s².
+// As a typesetter writes a unit: N·m, m/s², rad/(N·m).
 std::string typographic(std::string_view unit) {
+  if (const auto first = unit.find('/'); first != std::string_view::npos && unit.find('/', first + 1) != std::string_view::npos) {
+    std::string below(unit.substr(first + 1));
+    std::ranges::replace(below, '/', '*');
+    return typographic(unit.substr(0, first)) + "/(" + typographic(below) + ")";
+  }
   static constexpr std::array digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string out;
   bool raised = false;
@@ -167,7 +176,10 @@ std::vector<Step> steps(std::string_view si) {
   if (si == "rad/s^2") return {{0, "°/s^2"}};
   if (si == "N") return {{0, "N"}, {1e-12, "mN"}, {0.1, "N"}, {1e4, "kN"}};
   if (si == "N*m") return {{0, "N*m"}, {1e-12, "N*mm"}, {0.1, "N*m"}, {1e4, "kN*m"}};
-  if (si == "N/m") return {{0, "N/mm"}};
+  if (si == "N/m") return {{0, "N/mm"}, {1e5, "N/µm"}};
+  if (si == "m/N") return {{0, "nm/N"}, {1e-7, "µm/N"}, {1e-4, "mm/N"}};
+  if (si == "1/N") return {{0, "1/GN"}, {1e-8, "1/MN"}, {1e-4, "1/kN"}};
+  if (si == "rad/N/m") return {{0, "nrad/N/m"}, {1e-7, "µrad/N/m"}, {1e-4, "mrad/N/m"}};
   if (si == "Pa") return {{0, "Pa"}, {1e4, "MPa"}, {1e10, "GPa"}};
   if (si == "W") return {{0, "W"}, {1e4, "kW"}};
   return {};

@@ -7,6 +7,7 @@
 // vertical rod's hinges R_i5 (about the upper beam mu_i) and R_i4 (about the platform's normal n_z) let the plane and the platform go their
 // own ways. Such a limb drives two freedoms and takes none. The SPR limb stays perpendicular to its hinge f3 = R u3, which takes one:
 //     f3 . (B_3 - b_3) = 0   <=>   f3 . (p - B_3) + u3 . b_3 = 0          (C)
+#include <pmreport/elastic.hpp>
 #include <pmreport/leg.hpp>
 #include <pmreport/mechanism.hpp>
 #include <pmreport/parts.hpp>
@@ -67,6 +68,11 @@ class TwoQSpr : public Mechanism<5> {
       Parameter::mass("upper_beam_mass", 3, "mass m_g of an upper beam, centre of mass at b_i"),
       Parameter::inertia("upper_beam_inertia", 0.0005, "transverse inertia of an upper beam"),
       Parameter::inertia("upper_beam_axial_inertia", 0.0005, "axial inertia of an upper beam"),
+      Parameter::choice("material", material_names, 0, "material of rods and beams"),
+      Parameter::length("rod_diameter", 0.030, "outer diameter of a driven rod as a beam", {0.0001, 10}),
+      Parameter::length("rod_bore", 0.015, "inner diameter of a driven rod as a beam", {0, 10}),
+      Parameter::length("beam_width", 0.025, "side of the square section of lower and upper beams", {0.0001, 10}),
+      Parameter::number("drive_stiffness", 50e6, {1, 1e15}, "N/m", "N/um", "stiffness of a rod's drive, in series with the rod"),
   };
 
   explicit TwoQSpr(const Parameters& p);
@@ -222,6 +228,8 @@ Topology TwoQSpr::describe(const Parameters& p) const {
                             stroke_};
   const auto add_rod = [&](const Leg& rod, const std::string& n, const Joint& low, const Joint& high) {
     add_leg(t, rod, n, telescope, low, high);
+    t.add(beam("rod" + n, rod.low, rod.high, material_of(p, "material"), tube_of(p, "rod")));
+    t.add(spring_drive("drive" + n, rod.drive, p["drive_stiffness"]));
     draw_leg(t, rod, tube, 0.030 * height, 0.017 * height);
   };
 
@@ -240,6 +248,12 @@ Topology TwoQSpr::describe(const Parameters& p) const {
     t.add(Body{"vertical rod " + n, limb.i + 1, false, {}});
     t.add(Joint{"R" + n + "5", JointKind::revolute, limb.vertical, limb.upper, within("swivel_angle")});
     t.add(Joint{"R" + n + "4", JointKind::revolute, platform, limb.vertical, within("swivel_angle")});
+    for (const int j : {0, 1}) {  // the beams' halves, from their middle out to the rods
+      const std::string ij = n + std::to_string(j + 1);
+      const CrossSection square = rectangle(p["beam_width"], p["beam_width"]);
+      t.add(beam("lower" + ij, limb.r1, limb.rod(j).low, material_of(p, "material"), square, 2));
+      t.add(beam("upper" + ij, limb.r5, limb.rod(j).high, material_of(p, "material"), square, 2));
+    }
     t.shapes.push_back({limb.lower, ShapeKind::box, {0, 0, 0}, {thick, thick, lower_}, 0});
     t.shapes.push_back({limb.upper, ShapeKind::box, {0, 0, 0}, {thick, thick, upper_ + 2 * thick}, 0});
   }

@@ -6,6 +6,7 @@
 // in a revolute joint at B_5 whose axis n6 = R n6p is fixed in the platform; the limb stays perpendicular to it, which takes one freedom:
 //     n6 . (A_5 - B_5) = 0   <=>   n6 . (p - A_5) + n6p . b_5 = 0          (C)
 // The chosen dependent coordinate of the pose follows from the other five.
+#include <pmreport/elastic.hpp>
 #include <pmreport/leg.hpp>
 #include <pmreport/mechanism.hpp>
 #include <pmreport/parts.hpp>
@@ -53,6 +54,10 @@ class FourSpsSpr : public Mechanism<5> {
       Parameter::length("piston_centre", 0.2, "centre of mass of a piston from B_i, l_p"),
       Parameter::inertia("piston_inertia", 0.03, "transverse inertia of a piston about its centre of mass"),
       Parameter::inertia("piston_axial_inertia", 0.0008, "axial inertia of a piston"),
+      Parameter::choice("material", material_names, 0, "material of the limbs"),
+      Parameter::length("limb_diameter", 0.03, "outer diameter of a limb as a beam", {0.0001, 10}),
+      Parameter::length("limb_bore", 0.015, "inner diameter of a limb as a beam", {0, 10}),
+      Parameter::number("drive_stiffness", 40e6, {1, 1e15}, "N/m", "N/um", "stiffness of a limb's drive, in series with the limb"),
   };
 
   explicit FourSpsSpr(const Parameters& p);
@@ -193,6 +198,8 @@ Topology FourSpsSpr::describe(const Parameters& p) const {
         hinge{"B" + n, JointKind::revolute, platform, limb.piston, {either_way(p["revolute_angle"])}};
     add_leg(t, limb, n, telescope, {"A" + n, JointKind::spherical, 0, limb.cylinder, {up_to(p["base_cone"])}, -1, normal},
             telescope.slender ? ball : hinge);
+    t.add(beam("limb" + n, limb.low, limb.high, material_of(p, "material"), tube_of(p, "limb")));
+    t.add(spring_drive("drive" + n, limb.drive, p["drive_stiffness"]));
     draw_leg(t, limb, tube, 0.030 * height, 0.017 * height);
   }
   t.constraints.push_back({"constraint1", "force F_tau along the revolute axis through A5", "N"});

@@ -6,6 +6,7 @@
 // a4 = R ex (platform); a2 is perpendicular to X and to d, so it must be along X x d, and perpendicular to a4 it takes one freedom:
 //     (X x d) . R ex = 0   <=>   d_z sin(gamma) cos(beta) + d_y sin(beta) = 0,   R = Rz(gamma) Ry(beta) Rx(alpha)          (C)
 // The paper takes gamma = 0 instead: `constraint = "ideal"` has three slides along X, Y, Z and a universal joint about Y and R ex for it.
+#include <pmreport/elastic.hpp>
 #include <pmreport/mechanism.hpp>
 #include <pmreport/parts.hpp>
 
@@ -66,6 +67,12 @@ class FivePusUpu : public Mechanism<5> {
       Parameter::length("upper_centre", 0.08, "its centre of mass from U6' back along the leg"),
       Parameter::inertia("upper_inertia", 0.001, "its transverse inertia about the centre of mass"),
       Parameter::inertia("upper_axial_inertia", 5e-5, "its axial inertia"),
+      Parameter::choice("material", material_names, 0, "material of the rods and of the UPU leg"),
+      Parameter::length("bar_diameter", 0.010, "outer diameter of a rod", {0.0001, 10}),
+      Parameter::length("bar_bore", 0, "inner diameter of a rod", {0, 10}),
+      Parameter::length("leg_diameter", 0.030, "outer diameter of the UPU leg as a beam", {0.0001, 10}),
+      Parameter::length("leg_bore", 0.020, "inner diameter of the UPU leg as a beam", {0, 10}),
+      Parameter::number("drive_stiffness", 30e6, {1, 1e15}, "N/m", "N/um", "stiffness of a slider's drive"),
   };
 
   explicit FivePusUpu(const Parameters& p);
@@ -210,6 +217,8 @@ Topology FivePusUpu::describe(const Parameters& p) const {
     const Vector3d from_slider(0, 0, p.choice("cones_from") == "normal" ? -side_[std::size_t(limb.i)] : 0);  // as the rod's z axis runs
     t.add(Joint{"S" + n, JointKind::spherical, limb.rod, platform, {up_to(p["ball_cone"])}, -1, from_slider});
     t.add(Actuator{"q" + n, "height of slider " + n, "m", limb.p, stroke_});
+    t.add(beam("rod" + n, limb.u, limb.s, material_of(p, "material"), tube_of(p, "bar")));
+    t.add(spring_drive("drive" + n, limb.i, p["drive_stiffness"]));
     t.derived.push_back({"rise" + n, "height of U" + n + " over S" + n, "m"});
   }
   if (ideal_) {
@@ -225,6 +234,7 @@ Topology FivePusUpu::describe(const Parameters& p) const {
     t.add(Joint{"U6", JointKind::universal, 0, lower, {leg_turns, leg_turns}});
     t.add(Joint{"P6", JointKind::prismatic, lower, upper, {either_way(p["leg_travel"])}});
     t.add(Joint{"U6p", JointKind::universal, upper, platform, {leg_turns, leg_turns}});
+    t.add(beam("leg6", u6, u6p, material_of(p, "material"), tube_of(p, "leg")));
   }
   draw(t, {0, 0, std::min(u6_.z(), stroke_.min) - 0.030}, {0, 0, std::max(u6_.z(), stroke_.max) + 0.045});
   return t;

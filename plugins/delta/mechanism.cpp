@@ -7,6 +7,7 @@
 //     C_i = p + r u_i                            on the platform,
 // and the rods close the limb when they have their length:
 //     |C_i - B_i| = l                                                                                                              (1)
+#include <pmreport/elastic.hpp>
 #include <pmreport/mechanism.hpp>
 #include <pmreport/parts.hpp>
 
@@ -48,6 +49,13 @@ class Delta : public Mechanism<3> {
       Parameter::mass("arm_mass", 1.2, "mass of an arm, a uniform tube"),
       Parameter::mass("rod_mass", 0.14, "mass of one rod, a uniform tube"),
       Parameter::inertia("motor_inertia", 0.035, "inertia of a motor and its gear, felt at the arm"),
+      Parameter::choice("arm_material", material_names, 3, "material of the arms"),
+      Parameter::length("arm_diameter", 0.06, "outer diameter of an arm as a beam", {0.0001, 10}),
+      Parameter::length("arm_bore", 0.05, "inner diameter of an arm as a beam", {0, 10}),
+      Parameter::choice("bar_material", material_names, 6, "material of the rods"),
+      Parameter::length("bar_diameter", 0.014, "outer diameter of a rod as a beam", {0.0001, 10}),
+      Parameter::length("bar_bore", 0.010, "inner diameter of a rod as a beam", {0, 10}),
+      Parameter::number("drive_stiffness", 20000, {1e-3, 1e12}, "N*m/rad", "N*m/rad", "stiffness of a motor with its gear"),
   };
 
   explicit Delta(const Parameters& p);
@@ -165,6 +173,9 @@ Topology Delta::describe(const Parameters& p) const {
     for (int k = 0; k < 2; ++k) t.add(Joint{"C" + rods[k], JointKind::spherical, limb.rod(k), platform, cone});
     t.add(Actuator{"theta" + n, "angle of arm " + n + " below level", "rad", limb.a, {p["arm_highest"], p["arm_lowest"]}});
     t.constraints.push_back({"couple" + n, "couple of the rods of limb " + n + " on the platform", "N*m"});
+    t.add(arm_beam("arm" + n, limb.a, limb.b(0), limb.b(1), material_of(p, "arm_material"), tube_of(p, "arm")));
+    for (const int k : {0, 1}) t.add(beam("rod" + rods[k], limb.b(k), limb.c(k), material_of(p, "bar_material"), tube_of(p, "bar")));
+    t.add(spring_drive("drive" + n, limb.i, p["drive_stiffness"]));
     t.draw_along_axis(limb.arm, 0, arm_, tube);
     t.shapes.push_back({limb.arm, ShapeKind::cylinder, {-wide, 0, 0}, {wide, 0, 0}, 1.5 * tube});
     t.shapes.push_back({limb.arm, ShapeKind::cylinder, {-wide, 0, arm_}, {wide, 0, arm_}, 0.5 * tube});

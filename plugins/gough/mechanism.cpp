@@ -2,6 +2,7 @@
 //
 // Notation of Glazunov et al. 2008; README.md beside this file says what of the paper reproduces. Leg i runs from A_i on the base to
 // B_i = P + R b_i on the platform, R = Rz(alpha) Rx(beta) Ry(gamma). v_i = A_iB_i, rho_i = |v_i|, u_i = v_i / rho_i.
+#include <pmreport/elastic.hpp>
 #include <pmreport/free_platform.hpp>
 #include <pmreport/leg.hpp>
 #include <pmreport/mechanism.hpp>
@@ -49,6 +50,10 @@ class Gough : public Mechanism<6> {
       Parameter::mass("rod_mass", 2, "mass of a leg's rod"),
       Parameter::length("rod_length", 0.7, "length of a leg's rod, back from B_i"),
       Parameter::length("rod_radius", 0.02, "radius of a leg's rod"),
+      Parameter::choice("material", material_names, 0, "material of the legs"),
+      Parameter::length("leg_diameter", 0.04, "outer diameter of a leg as a beam", {0.0001, 10}),
+      Parameter::length("leg_bore", 0.02, "inner diameter of a leg as a beam", {0, 10}),
+      Parameter::number("drive_stiffness", 50e6, {1, 1e15}, "N/m", "N/um", "stiffness of a leg's drive, in series with the leg"),
   };
 
   explicit Gough(const Parameters& p);
@@ -152,6 +157,8 @@ Topology Gough::describe(const Parameters& p) const {
     const std::string n = std::to_string(leg.limb);
     add_leg(t, leg, n, telescope, {"A" + n, JointKind::universal, 0, leg.cylinder, {turn, turn}},
             {"B" + n, JointKind::spherical, leg.piston, platform, {cone}, -1, cone_axis_[std::size_t(leg.drive)]});
+    t.add(beam("leg" + n, leg.low, leg.high, material_of(p, "material"), tube_of(p, "leg")));
+    t.add(spring_drive("drive" + n, leg.drive, p["drive_stiffness"]));
     t.draw_along_axis(leg.cylinder, 0, std::min(cylinder, shortest), p["cylinder_radius"]);
     t.draw_along_axis(leg.piston, -std::min(rod, shortest), 0, p["rod_radius"]);
   }

@@ -6,6 +6,7 @@
 //     A_1 = (0, l_y, 0)    A_2,3 = (l_x, +-L/2, 0)    e_1 = R (sigma h, 0, 0)    e_2,3 = +-R (0, e/2, 0)    R = Rx(alpha) Ry(beta)
 // Each limb turns about one axis, Y or X, and stays in the plane across it: limb 1 in Y = l_y, limbs 2 and 3 in X = l_x. Hence (Eq. 4)
 //     l_x = x    l_y = y + sigma h sin(alpha) sin(beta)    l_i = |C_i - A_i|
+#include <pmreport/elastic.hpp>
 #include <pmreport/leg.hpp>
 #include <pmreport/mechanism.hpp>
 #include <pmreport/parts.hpp>
@@ -14,7 +15,7 @@ using namespace pmreport;
 using Eigen::Vector3d;
 namespace {
 constexpr double deg = std::numbers::pi / 180, half_turn = std::numbers::pi;
-constexpr const char *sides[] = {"-1", "+1"}, *origins[] = {"home", "normal"};
+constexpr const char *sides[] = {"-1", "+1"}, *origins[] = {"home", "normal"}, *bendings[] = {"full", "couples"};
 constexpr double platform_inertia[] = {0.12, 0.06, 0.17, 0, 0, 0};
 
 constexpr int platform = 1, carriage = 2, slider = 3;
@@ -57,6 +58,13 @@ class P2PrpuPrps : public Mechanism<5> {
       Parameter::length("upper_centre", 0.35, "centre of mass of an upper part from C_i"),
       Parameter::inertia("upper_inertia", 0.15, "transverse inertia of an upper part about its centre of mass"),
       Parameter::inertia("upper_axial_inertia", 0.003, "axial inertia of an upper part"),
+      Parameter::number("young_modulus", 2.1e11, {1, 1e15}, "Pa", "GPa", "E of limbs and rails, section 4.1"),
+      Parameter::number("shear_modulus", 8e10, {1, 1e15}, "Pa", "GPa", "G of limbs and rails, section 4.1"),
+      Parameter::length("limb_diameter", 0.03, "diameter of a limb as a beam, section 4.1", {0.0001, 10}),
+      Parameter::length("rail_x_diameter", 0.03, "diameter of the screws along X, section 4.1", {0.0001, 10}),
+      Parameter::length("rail_y_diameter", 0.03, "diameter of the screw along Y, section 4.1", {0.0001, 10}),
+      Parameter::length("rail_offset", 0, "of a screw beyond its travel, from its fixed end to zero", {0, 100}),
+      Parameter::choice("limb_bending", bendings, 0, "full, or by couples alone, as Eqs. 22 to 35 have it"),
   };
 
   explicit P2PrpuPrps(const Parameters& p);
@@ -192,6 +200,15 @@ Topology P2PrpuPrps::describe(const Parameters& p) const {
     add_leg(t, limb, n, telescope,
             {"R" + n + "1", JointKind::revolute, i == 0 ? slider : carriage, limb.cylinder, {{-reach - home, reach - home}}},
             i == 0 ? ball : cardan);
+  }
+  // Eq. 22: what limb 1 passes along Y, limbs 2 and 3 along X, stretches their screws.
+  const Material made_of{p["young_modulus"], p["shear_modulus"], steel.expansion};
+  for (const Leg& limb : limbs) {
+    const std::string n = std::to_string(limb.limb);
+    Element& bar = t.elements[std::size_t(t.add(beam("limb" + n, limb.low, limb.high, made_of, solid(p["limb_diameter"]))))];
+    bar.bends = p.choice("limb_bending") == "full" ? Bending::full : Bending::couples;
+    const CrossSection screw = solid(p[limb.limb == 1 ? "rail_y_diameter" : "rail_x_diameter"]);
+    t.add(rail("rail" + n, limb.limb == 1 ? py : px, limb.low, made_of, screw, p["rail_offset"]));
   }
   for (const char* n : {"1", "2", "3"}) t.readings.push_back({std::string("mu") + n, std::string("transmission index of limb ") + n, ""});
   t.readings.push_back({"mu", "transmission index, the least of the limbs'", ""});

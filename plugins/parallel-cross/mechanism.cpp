@@ -3,6 +3,7 @@
 // Notation of the paper; README.md beside this file says what of it reproduces and where it errs. Leg i runs from A_i on the base to
 // B_i = P + R b_i on the platform, R = Rz(alpha) Rx(beta) Ry(gamma). v_i = A_iB_i, rho_i = |v_i|, u_i = v_i / rho_i. Cross chain i runs
 // from C_i = A_i + l1 u_i on leg i to D_j = A_j + l2 u_j on leg j, the next one; w_i = C_iD_j, rho_{3+i} = |w_i|, f_i = w_i / rho_{3+i}.
+#include <pmreport/elastic.hpp>
 #include <pmreport/free_platform.hpp>
 #include <pmreport/leg.hpp>
 #include <pmreport/mechanism.hpp>
@@ -54,6 +55,12 @@ class ParallelCross : public Mechanism<6> {
       Parameter::mass("cross_rod_mass", 1.5, "mass of a cross chain's rod"),
       Parameter::length("cross_rod_length", 0.3, "length of a cross chain's rod, back from D_j"),
       Parameter::length("cross_rod_radius", 0.015, "radius of a cross chain's rod"),
+      Parameter::choice("material", material_names, 0, "material of legs and cross chains"),
+      Parameter::length("leg_diameter", 0.04, "outer diameter of a leg as a beam", {0.0001, 10}),
+      Parameter::length("leg_bore", 0.02, "inner diameter of a leg as a beam", {0, 10}),
+      Parameter::length("cross_diameter", 0.03, "outer diameter of a cross chain as a beam", {0.0001, 10}),
+      Parameter::length("cross_bore", 0.015, "inner diameter of a cross chain as a beam", {0, 10}),
+      Parameter::number("drive_stiffness", 50e6, {1, 1e15}, "N/m", "N/um", "stiffness of every drive, in series with its leg or chain"),
   };
 
   explicit ParallelCross(const Parameters& p);
@@ -195,6 +202,8 @@ Topology ParallelCross::describe(const Parameters& p) const {
     for (std::size_t c = 0; c < 3; ++c)
       if (cuts[c] < cuts[c + 1]) t.draw_along_axis(k.cylinder, cuts[c], cuts[c + 1], p["leg_cylinder_radius"]);
     t.draw_along_axis(k.piston, -p["leg_rod_length"], 0, p["leg_rod_radius"]);
+    t.add(beam("leg" + n, k.low, k.high, material_of(p, "material"), tube_of(p, "leg")));
+    t.add(spring_drive("drive" + n, k.drive, p["drive_stiffness"]));
     t.shapes.push_back({0, ShapeKind::cylinder, a_[i], a_[(i + 1) % 3], p["leg_cylinder_radius"]});
   }
   for (std::size_t i = 0; i < 3; ++i) {
@@ -204,10 +213,18 @@ Topology ParallelCross::describe(const Parameters& p) const {
             {"D" + m, JointKind::universal, carries_d.cylinder, k.piston, {turn, turn}});
     t.derived.push_back({"hinge_c" + n, "angle between leg " + n + " and the cross chain at C" + n, "rad"});
     t.derived.push_back({"hinge_d" + m, "angle between leg " + m + " and the cross chain at D" + m, "rad"});
+    t.add(beam("cross" + std::to_string(k.limb), k.low, k.high, material_of(p, "material"), tube_of(p, "cross")));
+    t.add(spring_drive("drive" + std::to_string(k.limb), k.drive, p["drive_stiffness"]));
     // Drawn as two stages that overlap over most of the stroke; one that is three times as long out as in needs more of them.
     t.draw_along_axis(k.cylinder, 0, 0.5 * cross_home_, p["cross_cylinder_radius"]);
     t.draw_along_axis(k.piston, -0.7 * cross_home_, 0, p["cross_rod_radius"]);
   }
+  // What a leg has below its joint A carries the chains that hang there, out to the lower one.
+  if (std::min(l1_, l2_) < 0)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int c = chains[3 + i].low, d = chains[3 + (i + 2) % 3].high;
+      t.add(beam("stub" + std::to_string(i + 1), chains[i].low, l2_ < l1_ ? d : c, material_of(p, "material"), tube_of(p, "leg"), 2));
+    }
   t.matrices = constraint_matrices();
   return t;
 }

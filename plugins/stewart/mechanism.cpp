@@ -4,6 +4,7 @@
 // and where it errs. Leg i runs from A_i on the base to B_i = P + R b_i on the platform, R = Rz(alpha) Rx(beta) Ry(gamma). v_i = A_iB_i,
 // rho_i = |v_i|, u_i = v_i / rho_i. Cross chain i runs from C_i = A_j, the foot of the next leg, to D_i = A_i + l2 u_i on leg i;
 // w_i = C_iD_i, rho_{3+i} = |w_i|, f_i = w_i / rho_{3+i}.
+#include <pmreport/elastic.hpp>
 #include <pmreport/free_platform.hpp>
 #include <pmreport/leg.hpp>
 #include <pmreport/mechanism.hpp>
@@ -53,6 +54,12 @@ class Stewart : public Mechanism<6> {
       Parameter::mass("cross_rod_mass", 1.5, "mass of a cross chain's rod"),
       Parameter::length("cross_rod_length", 0.3, "length of a cross chain's rod, back from D_i"),
       Parameter::length("cross_rod_radius", 0.015, "radius of a cross chain's rod"),
+      Parameter::choice("material", material_names, 0, "material of legs and cross chains"),
+      Parameter::length("leg_diameter", 0.04, "outer diameter of a leg as a beam", {0.0001, 10}),
+      Parameter::length("leg_bore", 0.02, "inner diameter of a leg as a beam", {0, 10}),
+      Parameter::length("cross_diameter", 0.03, "outer diameter of a cross chain as a beam", {0.0001, 10}),
+      Parameter::length("cross_bore", 0.015, "inner diameter of a cross chain as a beam", {0, 10}),
+      Parameter::number("drive_stiffness", 50e6, {1, 1e15}, "N/m", "N/um", "stiffness of every drive, in series with its leg or chain"),
   };
 
   explicit Stewart(const Parameters& p);
@@ -173,6 +180,8 @@ Topology Stewart::describe(const Parameters& p) const {
     t.draw_along_axis(k.cylinder, 0, l2_, p["leg_cylinder_radius"]);  // in two pieces that end at D, whose joint then shows
     t.draw_along_axis(k.cylinder, l2_, p["leg_cylinder_length"], p["leg_cylinder_radius"]);
     t.draw_along_axis(k.piston, -p["leg_rod_length"], 0, p["leg_rod_radius"]);
+    t.add(beam("leg" + n, k.low, k.high, material_of(p, "material"), tube_of(p, "leg")));
+    t.add(spring_drive("drive" + n, k.drive, p["drive_stiffness"]));
     t.shapes.push_back({0, ShapeKind::cylinder, a_[i], a_[(i + 1) % 3], p["leg_cylinder_radius"]});
   }
   for (std::size_t i = 0; i < 3; ++i) {
@@ -181,6 +190,8 @@ Topology Stewart::describe(const Parameters& p) const {
     add_leg(t, k, std::to_string(k.limb), cross, {"C" + n, JointKind::spherical, 0, k.cylinder, {ball}},
             {"D" + n, JointKind::universal, chains[i].cylinder, k.piston, {turn, turn}});
     t.derived.push_back({"hinge_d" + n, "angle between leg " + n + " and the cross chain at D" + n, "rad"});
+    t.add(beam("cross" + std::to_string(k.limb), k.low, k.high, material_of(p, "material"), tube_of(p, "cross")));
+    t.add(spring_drive("drive" + std::to_string(k.limb), k.drive, p["drive_stiffness"]));
     // Drawn as two stages that overlap over most of the stroke; one that is three times as long out as in needs more of them.
     t.draw_along_axis(k.cylinder, 0, 0.5 * cross_home_, p["cross_cylinder_radius"]);
     t.draw_along_axis(k.piston, -0.7 * cross_home_, 0, p["cross_rod_radius"]);

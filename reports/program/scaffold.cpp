@@ -21,12 +21,13 @@ constexpr std::array<std::string_view, 9> cmake_targets{"all",     "clean",     
                                                         "package", "preinstall", "rebuild-cache", "test"};
 
 // What <pmreport/mechanism.hpp> and the scaffold itself name.
-constexpr std::array<std::string_view, 41> taken_names{
-    "Actuator",     "Body",        "ClosedForms", "Codec",   "Constraint", "Coordinate", "Coordinates", "Derived",   "Eigen",
-    "Functions",    "HasMatrices", "HasReadings", "Inertia", "Instance",   "Jet",        "Joint",       "JointKind", "Lanes",
-    "Layout",       "Leg",         "Limb",        "Line",    "Matrix3",    "Matrix6",    "Mechanism",   "Parameter", "Parameters",
-    "Partials",     "Placement",   "Range",       "Rates",   "Reading",    "Recorded",   "Sense",       "Shape",     "ShapeKind",
-    "SourceMatrix", "Telescope",   "Topology",    "Vector3", "Vector3d"};
+constexpr std::array<std::string_view, 46> taken_names{
+    "Actuator",     "Bending",      "Body",      "ClosedForms", "Codec",       "Constraint", "Coordinate",  "Coordinates",
+    "CrossSection", "Derived",      "Eigen",     "Element",     "ElementKind", "Functions",  "HasMatrices", "HasReadings",
+    "Inertia",      "Instance",     "Jet",       "Joint",       "JointKind",   "Lanes",      "Layout",      "Leg",
+    "Limb",         "Line",         "Material",  "Matrix3",     "Matrix6",     "Mechanism",  "Parameter",   "Parameters",
+    "Partials",     "Placement",    "Range",     "Rates",       "Reading",     "Recorded",   "Sense",       "Shape",
+    "ShapeKind",    "SourceMatrix", "Telescope", "Topology",    "Vector3",     "Vector3d"};
 
 bool lower(char c) { return c >= 'a' && c <= 'z'; }
 bool digit(char c) { return c >= '0' && c <= '9'; }

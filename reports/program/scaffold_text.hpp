@@ -18,6 +18,7 @@ inline constexpr std::string_view mechanism =
 //
 // To make it yours: draw your joints, count bodies and joints in `topology`, put every body and joint in its place in `place`, and write
 // the wrenches that drive and hold the platform in `jacobian`. `pmreport check` tells what does not fit yet.
+#include <pmreport/elastic.hpp>
 #include <pmreport/mechanism.hpp>
 
 using namespace pmreport;
@@ -42,9 +43,10 @@ class MyRobot : public Mechanism<3> {  // degrees of freedom
       Parameter::length("base_radius", 0.5, "distance of A1 to A3 from O", {0.01, 100}),
       Parameter::length("platform_radius", 0.15, "distance of B1 to B3 from p", {0.01, 100}),
       Parameter::mass("platform_mass", 2, "mass of the platform, centre of mass at p"),
+      Parameter::choice("material", material_names, 0, "material of the limbs"),
   };
 
-  explicit MyRobot(const Parameters& p) : mass_(p["platform_mass"]) {
+  explicit MyRobot(const Parameters& p) : mass_(p["platform_mass"]), material_(material_of(p, "material")) {
     // A quarter turn between the two triangles: with the limbs pointing at p the mechanism would be singular.
     for (const Limb& limb : limbs) {
       const double azimuth = (-90 + 120 * limb.i) * deg;
@@ -70,6 +72,9 @@ class MyRobot : public Mechanism<3> {  // degrees of freedom
       t.add(Joint{"P" + n, JointKind::prismatic, limb.cylinder, limb.piston, {}});
       t.add(Joint{"B" + n, JointKind::revolute, limb.piston, platform, {{-60 * deg, 60 * deg}}});
       t.add(Actuator{"l" + n, "length of limb " + n, "m", limb.p, {0.55 * home_length_, 1.45 * home_length_}});
+      // What gives way under load, for the section `stiffness`: the limb as a tube from hinge to hinge, and its drive [N/m].
+      t.add(beam("limb" + n, limb.a, limb.b, material_, tube(0.030, 0.020)));
+      t.add(spring_drive("drive" + n, limb.i, 30e6));
       // The platform is drawn as a triangle of bars. What has no shapes is drawn from its joints.
       t.shapes.push_back({platform, ShapeKind::cylinder, b_[limb.i], b_[(limb.i + 1) % 3], 0.08 * b_[0].norm()});
     }
@@ -112,6 +117,7 @@ class MyRobot : public Mechanism<3> {  // degrees of freedom
  private:
   Vector3d a_[3], b_[3];  // A_i in base axes, b_i in platform axes
   double home_length_ = 0, mass_;
+  Material material_;
 };
 
 }  // namespace

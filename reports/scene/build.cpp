@@ -97,6 +97,7 @@ Scene build(const Machine& machine, const Pose& pose, const Extras& extras) {
   }
   add_extras(scene, machine, pose, sizes, extras);
   scene.surfaces = extras.surfaces;
+  scene.lines.insert(scene.lines.end(), extras.lines.begin(), extras.lines.end());
   if (!extras.labels) scene.labels.clear();
   if (extras.labels)
     for (std::size_t k = 0; k < t.joints.size(); ++k)

@@ -94,6 +94,7 @@ struct Extras {
   bool labels = true, frames = true;
   std::vector<Screw> screws;
   std::vector<Surface> surfaces;
+  std::vector<Polyline> lines;
 };
 
 // The scene of one pose: base, platform, bodies by their shapes or joints, joints by kind (ball, hinge with its axis, cross), labels by

@@ -13,6 +13,7 @@ namespace pmreport::section {
   KIND(dynamics)                     \
   KIND(drives)                       \
   KIND(reactions)                    \
+  KIND(stiffness)                    \
   KIND(speed)                        \
   KIND(mobility)                     \
   KIND(singularity)                  \

@@ -35,6 +35,7 @@ struct Table {
   pm_dynamics dynamics{sizeof(pm_dynamics), listing};
   pm_appearance appearance{sizeof(pm_appearance), listing};
   pm_closed_forms closed_forms{sizeof(pm_closed_forms), listing, at_pose, listing, at_pose};
+  pm_elasticity elasticity{sizeof(pm_elasticity), listing};
   pm_mechanism mechanism{sizeof(pm_mechanism),
                          "4sps-spr",
                          "title",
@@ -48,7 +49,8 @@ struct Table {
                          &dynamics,
                          &appearance,
                          &closed_forms,
-                         nullptr};
+                         nullptr,
+                         &elasticity};
   pm_mechanism second = mechanism;
   std::array<const pm_mechanism*, 2> mechanisms{&mechanism, &second};
   pm_plugin_table table{sizeof(pm_plugin_table), PM_ABI_MAJOR, PM_ABI_MINOR, "test", 1, mechanisms.data()};
@@ -80,6 +82,7 @@ TEST_CASE("a table without a fault is sound, with or without what is optional") 
   CHECK(judgement(t) == "sound");
   t.mechanism.appearance = nullptr;
   t.mechanism.closed_forms = nullptr;
+  t.mechanism.elasticity = nullptr;
   t.mechanism.parameters = {nullptr, 0, 0};
   CHECK(judgement(t) == "sound");
 }
@@ -94,6 +97,13 @@ TEST_CASE("a mechanism of version 1.0, which ends before the closed forms, is so
 TEST_CASE("a mechanism of version 1.2, which ends before what records, is sound, and what follows it is not read") {
   Table t;
   t.mechanism.struct_size = offsetof(pm_mechanism, record);
+  CHECK(judgement(t) == "sound");
+}
+
+TEST_CASE("a mechanism of version 1.3, which ends before its elastic elements, is sound, and what follows it is not read") {
+  Table t;
+  t.mechanism.struct_size = offsetof(pm_mechanism, elasticity);
+  t.mechanism.elasticity = reinterpret_cast<const pm_elasticity*>(1);  // would crash whoever looks
   CHECK(judgement(t) == "sound");
 }
 
@@ -169,6 +179,8 @@ TEST_CASE("one fault makes a table unsound, and the sentence names it") {
       {"the function closed_forms.evaluate", [](Table& t) { t.closed_forms.evaluate = nullptr; }},
       {"the function closed_forms.readings", [](Table& t) { t.closed_forms.readings = nullptr; }},
       {"the function closed_forms.read", [](Table& t) { t.closed_forms.read = nullptr; }},
+      {"the table elasticity of at least", [](Table& t) { t.elasticity.struct_size -= 1; }},
+      {"the function elasticity.elements", [](Table& t) { t.elasticity.elements = nullptr; }},
       {"the function appearance.shapes", [](Table& t) { t.appearance.shapes = nullptr; }},
       {"a list of parameters, seen a null pointer", [](Table& t) { t.mechanism.parameters.items = nullptr; }},
       {"a stride of the parameters of at least",

@@ -28,6 +28,7 @@ std::string section_of(const std::string& kind) {
       {"transmission",
        "poses = [{x = \"10 mm\"}]\nmap = {x = [\"-100 mm\", \"100 mm\"], z = [\"500 mm\", \"600 mm\"], points = 11}\n"
        "grid = {x = [\"-100 mm\", \"100 mm\", 21], z = [\"500 mm\", \"600 mm\", 21]}\n"},
+      {"stiffness", "poses = [{x = \"10 mm\"}]\nmap = {x = [\"-100 mm\", \"100 mm\"], z = [\"500 mm\", \"600 mm\"], points = 7}\n"},
       {"mobility", "poses = 10\n"},
       {"workspace",
        "method = [\"proof\", \"grid\", \"monte-carlo\"]\nscan = {x = [\"-200 mm\", \"200 mm\", 21], z = [\"450 mm\", \"650 mm\", 21]}\n"

@@ -34,7 +34,9 @@ SampleForces::SampleForces(const mechanics::Trajectory& trajectory, const scenar
       columns_(columns),
       evidence_(evidence),
       dynamics_(m),
-      indeterminate_(m.topology().joints.size(), 0) {
+      indeterminate_(m.topology().joints.size(), 0),
+      split_(m) {
+  elastic_.settled.assign(m.topology().joints.size(), 0);
   loading_.gravity = load.gravity;
   reactions_.joints.resize(m.topology().joints.size());
   reactions_.actuator_forces.resize(m.dof());
@@ -51,6 +53,7 @@ void SampleForces::run(std::span<const Order> orders, Residuals& residuals) {
                       acceleration = motion.acceleration.row(order.sample);
     evaluate(machine_, q.data(), rate.data(), acceleration.data(), state_);
     loading_.platform << load_.force[sample], load_.moment[sample];
+    settle(k, orders.size(), sample);
     const mechanics::Tangent t = tangent(machine_, state_);
     const mechanics::ForceShares shares = virtual_work(machine_, state_, t, loading_);
     const SmallVector total = shares.total();
@@ -102,11 +105,31 @@ bool SampleForces::take(std::size_t k, std::size_t count) {
   for (Index i = 0; i < reactions_.actuator_forces.size(); ++i)
     reactions_.actuator_forces(i) = chunk_.actuator_forces[static_cast<std::size_t>(i) * count + k];
   if (!reactions_.actuator_forces.allFinite()) return false;
-  for (std::size_t j = 0; j < reactions_.joints.size(); ++j) {
+  for (std::size_t j = 0; j < reactions_.joints.size(); ++j)
     for (std::size_t c = 0; c < 6; ++c) reactions_.joints[j](static_cast<Index>(c)) = chunk_.joints[(6 * j + c) * count + k];
-    indeterminate_[j] = static_cast<Indeterminate>(indeterminate_[j] | chunk_.indeterminate[j * count + k]);
-  }
   return true;
+}
+
+void SampleForces::settle(std::size_t k, std::size_t count, std::size_t sample) {
+  least_norm_ = reactions_.joints;
+  const auto rigid = [&](std::size_t j) { return chunk_.indeterminate[j * count + k]; };
+  if (!split_.any() || chunk_.stress_count == 0) {
+    for (std::size_t j = 0; j < indeterminate_.size(); ++j) indeterminate_[j] = static_cast<Indeterminate>(indeterminate_[j] | rigid(j));
+    return;
+  }
+  const auto answer = split_.add(state_.placement_jets.data(), 3, chunk_, k, count, loading_.platform, reactions_.joints);
+  elastic_.stresses = std::max(elastic_.stresses, answer.settled);
+  elastic_.open = std::max(elastic_.open, static_cast<int>(answer.open.size()));
+  const auto open = indeterminate_components(state_, frames_, answer.open, length_);
+  for (std::size_t j = 0; j < indeterminate_.size(); ++j) {
+    indeterminate_[j] = static_cast<Indeterminate>(indeterminate_[j] | (rigid(j) & open[j]));
+    elastic_.settled[j] = static_cast<Indeterminate>(elastic_.settled[j] | (rigid(j) & ~open[j]));
+    const Vector6d missed = reactions_.joints[j] - least_norm_[j];
+    const int joint = static_cast<int>(j), at = static_cast<int>(sample);
+    if (const double f = missed.head<3>().norm(); f > elastic_.force) elastic_.force = f, elastic_.force_joint = joint, elastic_.force_sample = at;
+    if (const double m = missed.tail<3>().norm(); m > elastic_.moment)
+      elastic_.moment = m, elastic_.moment_joint = joint, elastic_.moment_sample = at;
+  }
 }
 
 void SampleForces::put_actuators(std::size_t sample, const mechanics::ForceShares& shares, const SmallVector& total) {
@@ -172,7 +195,7 @@ double SampleForces::judge() const {
   double deviation = (other.actuator_forces - reactions_.actuator_forces).lpNorm<Eigen::Infinity>();
   double scale = other.actuator_forces.lpNorm<Eigen::Infinity>();
   for (std::size_t j = 0; j < other.joints.size(); ++j) {
-    const Vector6d difference = other.joints[j] - reactions_.joints[j];
+    const Vector6d difference = other.joints[j] - least_norm_[j];
     deviation = std::max({deviation, difference.head<3>().norm(), difference.tail<3>().norm() / length_});
     scale = std::max({scale, other.joints[j].head<3>().norm(), other.joints[j].tail<3>().norm() / length_});
   }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <core/analysis/residuals.hpp>
+#include <core/analysis/samples/elastic_reactions.hpp>
 #include <core/analysis/samples/force_columns.hpp>
 #include <core/mechanics/dynamics/drive.hpp>
 #include <core/mechanics/dynamics/virtual_work.hpp>
 #include <core/mechanics/reactions/inverse_dynamics.hpp>
 #include <core/mechanics/reactions/reactions.hpp>
+#include <core/mechanics/stiffness/elastic_split.hpp>
 #include <core/mechanics/trajectory/trajectory.hpp>
 #include <core/scenario/load.hpp>
 
@@ -34,6 +36,7 @@ class SampleForces {
   // Over all samples so far.
   const std::vector<mechanics::Indeterminate>& indeterminate() const { return indeterminate_; }
   int self_stresses() const { return self_stresses_; }
+  const ElasticReactions& elastic() const { return elastic_; }
 
  private:
   void solve(std::span<const Order> orders);
@@ -43,6 +46,7 @@ class SampleForces {
   void put_reactions(std::size_t sample);
   void prove(const Order& order, const mechanics::ForceShares& shares, const mechanics::SmallVector& total, Row& row) const;
   double judge() const;
+  void settle(std::size_t k, std::size_t count, std::size_t sample);  // pose k of the chunk, by elasticity
 
   const mechanics::Trajectory& trajectory_;
   const scenario::Load& load_;
@@ -60,6 +64,9 @@ class SampleForces {
   mechanics::JointReactions reactions_;
   std::vector<mechanics::Indeterminate> indeterminate_;
   int self_stresses_ = 0;
+  mechanics::ElasticSplit split_;
+  std::vector<mechanics::Vector6d> least_norm_;  // of the joints, before elasticity
+  ElasticReactions elastic_;
 };
 
 }  // namespace pmreport::analysis

@@ -87,7 +87,10 @@ std::vector<JointLoad> joint_loads(const Analysis& a) {
     if (load.force.peak <= nothing * force) load.force = {};
     if (load.moment.peak <= nothing * moment) load.moment = {};
     for (int c = 0; c < 6; ++c)
-      if (transmits(t.joints[j].kind, c)) load.doubtful = static_cast<Indeterminate>(load.doubtful | (a.indeterminate()[j] & 1 << c));
+      if (transmits(t.joints[j].kind, c)) {
+        load.doubtful = static_cast<Indeterminate>(load.doubtful | (a.indeterminate()[j] & 1 << c));
+        load.elastic = static_cast<Indeterminate>(load.elastic | (a.elastic_reactions().settled[j] & ~a.indeterminate()[j] & 1 << c));
+      }
     if (load.force.sample >= 0) find_cone(a, t.joints[j], load);
   }
   return out;

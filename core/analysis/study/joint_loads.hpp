@@ -21,7 +21,9 @@ struct JointLoad {
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   double cone = 0;
   bool reverses = false;
-  Indeterminate doubtful = 0;  // components, in joint axes, that the joint transmits and rigid bodies do not determine; bits 0-5
+  // Components, in joint axes, that the joint transmits; bits 0-5: those that nothing determines, and those that rigid bodies leave open
+  // and elasticity determines.
+  Indeterminate doubtful = 0, elastic = 0;
   bool doubtful_force() const { return (doubtful & 7) != 0; }
   bool doubtful_moment() const { return (doubtful & 56) != 0; }
 };

@@ -60,7 +60,8 @@ LimbWrenches::LimbWrenches(const Analysis& a, const std::vector<int>& checked) :
   limbs_.erase(std::unique(limbs_.begin(), limbs_.end()), limbs_.end());
 
   doubtful_.assign(limbs_.empty() ? 0 : static_cast<std::size_t>(limbs_.back()), 0);
-  for (const int sample : checked) {
+  const bool settled = a.elastic_reactions().stresses > 0 && a.elastic_reactions().open == 0;
+  for (const int sample : settled ? std::vector<int>{} : checked) {
     const mechanics::State state = state_of(a, sample);
     for (const auto& stress : self_stresses(a.machine(), state, generic_model(a.machine(), state))) {
       mechanics::JointReactions r;

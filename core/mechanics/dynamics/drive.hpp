@@ -17,7 +17,8 @@ struct DriveTrain {
   EfficiencyConvention convention = EfficiencyConvention::by_power;
   // Motor angle per actuator displacement: 2 pi / lead of a screw [rad/m], gear ratio of a rotary actuator. 0: no motor given.
   double ratio = 0;
-  double inertia = 0;  // of screw and rotor about the motor's axis [kg m^2]; on the motor's side of the losses
+  double inertia = 0;    // of screw and rotor about the motor's axis [kg m^2]; on the motor's side of the losses
+  double stiffness = 0;  // in series with the actuator's force [N/m], [N m/rad]; 0: not given
   friend bool operator==(const DriveTrain&, const DriveTrain&) = default;
 };
 

@@ -50,6 +50,10 @@ inline const pm_closed_forms* closed_forms_of(const pm_mechanism& table) {
   return table.struct_size >= offsetof(pm_mechanism, closed_forms) + sizeof(table.closed_forms) ? table.closed_forms : nullptr;
 }
 
+inline const pm_elasticity* elasticity_of(const pm_mechanism& table) {
+  return table.struct_size >= offsetof(pm_mechanism, elasticity) + sizeof(table.elasticity) ? table.elasticity : nullptr;
+}
+
 inline bool records(const pm_mechanism& table) {
   return table.struct_size >= offsetof(pm_mechanism, record) + sizeof(table.record) && table.record != nullptr;
 }

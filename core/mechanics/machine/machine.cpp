@@ -68,6 +68,7 @@ Machine::Machine(const pm_mechanism& table, ParameterValues values)
     demand(instance_ != nullptr, "made no instance, though it reported success");
     topology_ = read_topology(table, instance_);
     check_topology(topology_, info_.dof);
+    declared_ = topology_.elements;
     layout_ = Layout(topology_);
     const Eigen::VectorXd q = home();
     home_pose_ = pose({q.data(), static_cast<std::size_t>(q.size())});
@@ -81,6 +82,18 @@ Machine::Machine(const pm_mechanism& table, ParameterValues values)
 }
 
 Machine::~Machine() { table_->destroy(instance_); }
+
+void Machine::give(ElasticSettings settings) {
+  elasticity_ = std::move(settings);
+  topology_.elements = declared_;
+  topology_.elements = elements_under(elasticity_, topology_);
+}
+
+std::unique_ptr<Machine> Machine::with(ParameterValues values) const {
+  auto out = std::make_unique<Machine>(*table_, std::move(values));
+  out->give(elasticity_);
+  return out;
+}
 
 Eigen::VectorXd Machine::home() const {
   Eigen::VectorXd q(info_.dof);

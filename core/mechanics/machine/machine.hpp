@@ -5,6 +5,7 @@
 #include <pmreport/plugin.h>
 #include <Eigen/Core>
 #include <core/linear/types.hpp>
+#include <core/mechanics/machine/elastic_settings.hpp>
 #include <core/mechanics/machine/mechanism_error.hpp>
 #include <limits>
 #include <memory>
@@ -110,8 +111,13 @@ class Machine {
   // The readings of the source, in the order of topology().readings; NaN where one is not defined.
   std::vector<double> readings(std::span<const double> coordinates, const Pose& pose) const;
 
-  // The same mechanism with other values of its parameters. Throws as the constructor does.
-  std::unique_ptr<Machine> with(ParameterValues values) const { return std::make_unique<Machine>(*table_, std::move(values)); }
+  // What gives way: topology().elements under these settings, which are those of the mechanism until `give` is called. Their elements and
+  // names must fit the topology (fault_of).
+  const ElasticSettings& elasticity() const { return elasticity_; }
+  void give(ElasticSettings settings);
+
+  // The same mechanism, and the same settings, with other values of its parameters. Throws as the constructor does.
+  std::unique_ptr<Machine> with(ParameterValues values) const;
 
  private:
   pm_status place_extended(std::size_t count, const double* coordinates, double* placement, std::string* why) const;
@@ -122,6 +128,8 @@ class Machine {
   ParameterValues values_;
   pm_instance* instance_ = nullptr;
   Topology topology_;
+  std::vector<Element> declared_;  // elements, before settings
+  ElasticSettings elasticity_;
   Layout layout_;
   Pose home_pose_;
   struct Recording;

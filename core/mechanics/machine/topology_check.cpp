@@ -1,6 +1,7 @@
 #include <core/mechanics/machine/topology_check.hpp>
 
 #include <core/mechanics/machine/contract.hpp>
+#include <core/mechanics/machine/elastic_settings.hpp>
 
 #include <fmt/core.h>
 
@@ -46,7 +47,7 @@ void demand_distinct(const std::vector<Named>& all) {
 }
 
 void check_names(const Topology& t) {
-  std::vector<Named> quantities, bodies, joints, matrices;
+  std::vector<Named> quantities, bodies, joints, matrices, elements;
   add_names(quantities, "coordinate", t.coordinates);
   add_names(quantities, "derived quantity", t.derived);
   add_names(quantities, "actuator", t.actuators);
@@ -55,7 +56,8 @@ void check_names(const Topology& t) {
   add_names(bodies, "body", t.bodies);
   add_names(joints, "joint", t.joints);
   add_names(matrices, "matrix", t.matrices);
-  for (const auto& names : {quantities, bodies, joints, matrices}) demand_distinct(names);
+  add_names(elements, "element", t.elements);
+  for (const auto& names : {quantities, bodies, joints, matrices, elements}) demand_distinct(names);
 }
 
 // What cannot be drawn.
@@ -136,6 +138,10 @@ void check_topology(const Topology& t, int dof) {
     demand(c.unit == "N" || c.unit == "N*m", fmt::format("constraint {}: unit \"{}\", expected \"N\" or \"N*m\"", c.name, c.unit));
   check_shapes(t);
   check_names(t);
+  for (const Element& e : t.elements) {
+    const std::string fault = fault_of(e, t);
+    demand(fault.empty(), fault);
+  }
 }
 
 }  // namespace pmreport::mechanics

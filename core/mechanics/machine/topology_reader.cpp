@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace pmreport::mechanics {
 
 using namespace contract;
@@ -35,7 +37,7 @@ MechanismInfo describe(const pm_mechanism& table) {
 Topology read_topology(const pm_mechanism& table, const pm_instance* instance) {
   std::string why;
   pm_topology c{};
-  pm_list constraints{}, inertias{}, shapes{}, matrices{}, readings{};
+  pm_list constraints{}, inertias{}, shapes{}, matrices{}, readings{}, elements{};
   const auto ask = [&](const char* what, auto function, auto* out) {
     const pm_status status = call(why, [&](pm_text* text) { return function(instance, out, text); });
     if (status != PM_OK) throw MechanismError(PM_FAILED, fmt::format("cannot tell its {}: {}", what, why));
@@ -48,6 +50,7 @@ Topology read_topology(const pm_mechanism& table, const pm_instance* instance) {
   }
   ask("constraint wrenches", table.statics->constraints, &constraints);
   ask("inertias", table.dynamics->inertias, &inertias);
+  if (const pm_elasticity* elasticity = elasticity_of(table)) ask("elastic elements", elasticity->elements, &elements);
   if (table.appearance != nullptr) ask("shapes", table.appearance->shapes, &shapes);
 
   Topology t;
@@ -84,6 +87,16 @@ Topology read_topology(const pm_mechanism& table, const pm_instance* instance) {
   });
   t.readings = map<pm_reading>(readings, [](const pm_reading& x) {
     return Reading{text_or_empty(x.name), text_or_empty(x.title), text_or_empty(x.unit)};
+  });
+  t.elements = map<pm_element>(elements, [](const pm_element& x) {
+    Element e{text_or_empty(x.name), text_or_empty(x.title), static_cast<ElementKind>(x.kind), x.from, x.to, x.beside, x.actuator};
+    e.material = {x.modulus, x.shear_modulus, x.expansion};
+    e.section = {x.area, {x.bending[0], x.bending[1]}, x.torsion};
+    e.bends = static_cast<Bending>(x.bends);
+    e.buckling_length = x.buckling_length;
+    e.offset = x.offset;
+    std::copy_n(x.stiffness, 4, e.stiffness);
+    return e;
   });
   t.matrices = map<pm_matrix>(matrices, [](const pm_matrix& x) {
     return SourceMatrix{text_or_empty(x.name),

@@ -3,6 +3,7 @@
 #include <core/linear/subspace.hpp>
 #include <core/mechanics/model/constraint_scale.hpp>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 
@@ -46,7 +47,7 @@ MatrixXd orthonormal(const std::vector<std::vector<Vector6d>>& stresses, double 
 DenseDynamics::DenseDynamics(const Machine& machine) : machine_(machine), frames_(machine), length_(characteristic_length(machine)) {}
 
 JointReactions DenseDynamics::at_pose(std::size_t k, std::size_t count, const double* jets, const double* loads,
-                                      const Eigen::Vector3d& gravity, double& regularity) {
+                                      const Eigen::Vector3d& gravity, const double* wrenches, double& regularity) {
   VectorXd q[3];
   for (std::size_t c = 0; c < 3; ++c) {
     q[c].resize(machine_.dof());
@@ -57,18 +58,33 @@ JointReactions DenseDynamics::at_pose(std::size_t k, std::size_t count, const do
   out.singular = true;
   regularity = nan;
   if (state_.status != PM_OK) return out;
+  // Several loads at one pose share what the pose alone says.
+  if (!system_ || factorised_at_ != q[0]) {
+    model_ = generic_model(machine_, state_);
+    system_.emplace(machine_, state_, model_, frames_, length_);
+    regularity_ = regularity_of(model_, machine_.topology().idle, length_);
+    factorised_at_ = q[0];
+  }
+  regularity = regularity_;
   Loading loading;
   for (std::size_t c = 0; c < 6; ++c) loading.platform(static_cast<Index>(c)) = loads[c * count + k];
   loading.gravity = gravity;
-  const GenericModel model = generic_model(machine_, state_);
-  regularity = regularity_of(model, machine_.topology().idle, length_);
-  out = dense_reactions(machine_, state_, model, frames_, loading, length_);
+  VectorXd required = inertial_wrenches(machine_, state_) - applied_wrenches(machine_, state_, loading);
+  if (wrenches != nullptr) {
+    const Eigen::Vector3d& p_O = state_.bodies[static_cast<std::size_t>(machine_.topology().platform)].origin;
+    VectorXd more(required.size());  // about the bodies' own origins
+    for (Index i = 0; i < more.size(); ++i) more(i) = wrenches[static_cast<std::size_t>(i) * count + k];
+    for (Index at = 0; at < more.size(); at += 6)
+      more.segment<3>(at + 3) += (p_O - state_.bodies[static_cast<std::size_t>(at / 6 + 1)].origin).cross(more.segment<3>(at));
+    required -= more;
+  }
+  out = system_->reactions(required);
   out.singular = out.singular || regularity < linear::rank_tolerance;
   return out;
 }
 
 void DenseDynamics::solve(std::size_t count, const double* jets, const double* loads, const Eigen::Vector3d& gravity, MotionReactions& out,
-                          bool reactions) {
+                          bool reactions, const double* wrenches) {
   const std::size_t joints = machine_.topology().joints.size(), dof = static_cast<std::size_t>(machine_.dof());
   const std::size_t numbers = 6 * joints;
   out.actuator_forces.assign(dof * count, nan);
@@ -79,7 +95,7 @@ void DenseDynamics::solve(std::size_t count, const double* jets, const double* l
   out.stress_count = 0;
   std::vector<MatrixXd> stresses(count);
   for (std::size_t k = 0; k < count; ++k) {
-    const JointReactions r = at_pose(k, count, jets, loads, gravity, out.regularity[k]);
+    const JointReactions r = at_pose(k, count, jets, loads, gravity, wrenches, out.regularity[k]);
     if (r.singular) continue;
     for (std::size_t i = 0; i < dof; ++i) out.actuator_forces[i * count + k] = r.actuator_forces(static_cast<Index>(i));
     if (!reactions) continue;

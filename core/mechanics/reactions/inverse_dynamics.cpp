@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 #include <new>
+#include <span>
 
 namespace pmreport::mechanics {
 
@@ -33,7 +34,8 @@ class InverseDynamics::Work {
         single_(DynamicsKernel::single()),
         wide_(DynamicsKernel::widest()),
         dof_(static_cast<std::size_t>(machine.dof())),
-        joints_(machine.topology().joints.size()) {
+        joints_(machine.topology().joints.size()),
+        bodies_(machine.topology().bodies.size() - 1) {
     if (!plan_) {
       dense_.emplace(machine);
       return;
@@ -47,10 +49,10 @@ class InverseDynamics::Work {
   bool limb_by_limb() const { return plan_.has_value(); }
 
   void solve(std::size_t count, const double* jets, const double* loads, const Eigen::Vector3d& gravity, MotionReactions& out,
-             bool reactions) {
-    if (dense_) return dense_->solve(count, jets, loads, gravity, out, reactions);
+             bool reactions, const double* wrenches) {
+    if (dense_) return dense_->solve(count, jets, loads, gravity, out, reactions, wrenches);
     fit(out, count, reactions);
-    if (count == 1) return run(single_, jets, loads, 1, batch_of(out, 1, 0, 1, gravity));
+    if (count == 1) return run(single_, jets, loads, wrenches, 1, batch_of(out, 1, 0, 1, gravity));
     fit(block_, block(), reactions);
     for (std::size_t first = 0; first < count; first += block()) {
       const std::size_t poses = std::min(block(), count - first);
@@ -58,7 +60,12 @@ class InverseDynamics::Work {
         const std::size_t now = std::min(chunk(), poses - done), stride = (now + wide_.width() - 1) / wide_.width() * wide_.width();
         fill(jets, 3 * dof_, first + done, count, now, stride, jets_.data());
         fill(loads, 6, first + done, count, now, stride, loads_.data());
-        run(wide_, jets_.data(), loads_.data(), stride, batch_of(block_, block(), done, now, gravity));
+        if (wrenches != nullptr) {
+          wrenches_.resize(6 * bodies_ * chunk());
+          fill(wrenches, 6 * bodies_, first + done, count, now, stride, wrenches_.data());
+        }
+        run(wide_, jets_.data(), loads_.data(), wrenches != nullptr ? wrenches_.data() : nullptr, stride,
+            batch_of(block_, block(), done, now, gravity));
       }
       each_list(block_, out, [&](const auto& from, auto& to) {
         for (std::size_t i = 0; i < to.size() / count; ++i) std::copy_n(from.data() + i * block(), poses, to.data() + i * count + first);
@@ -112,10 +119,18 @@ class InverseDynamics::Work {
       for (std::size_t k = 0; k < stride; ++k) to[i * stride + k] = from[i * count + first + std::min(k, poses - 1)];
   }
 
-  void run(const DynamicsKernel& kernel, const double* jets, const double* loads, std::size_t stride, DynamicsBatch batch) {
-    if (machine_.place(PM_JET, stride, jets, placement_.get()) != PM_OK) return no_numbers(batch);
+  void run(const DynamicsKernel& kernel, const double* jets, const double* loads, const double* wrenches, std::size_t stride,
+           DynamicsBatch batch) {
+    // Many loads at one pose ask for the same placements again.
+    const std::span<const double> asked(jets, 3 * dof_ * stride);
+    if (!std::ranges::equal(asked, placed_)) {
+      placed_.clear();
+      if (machine_.place(PM_JET, stride, jets, placement_.get()) != PM_OK) return no_numbers(batch);
+      placed_.assign(asked.begin(), asked.end());
+    }
     batch.placement = placement_.get();
     batch.loads = loads;
+    batch.wrenches = wrenches;
     batch.stride = stride;
     kernel.solve(*plan_, batch, memory_.get());
   }
@@ -137,9 +152,10 @@ class InverseDynamics::Work {
   std::optional<DynamicsPlan> plan_;
   std::optional<DenseDynamics> dense_;  // in the plan's place
   DynamicsKernel single_, wide_;
-  std::size_t dof_, joints_;
+  std::size_t dof_, joints_, bodies_;  // those that move
   Memory memory_, placement_;
-  std::vector<double> jets_, loads_;
+  std::vector<double> jets_, loads_, wrenches_;
+  std::vector<double> placed_;  // the jets whose placements are there
   MotionReactions block_;
 };
 
@@ -148,9 +164,9 @@ InverseDynamics::~InverseDynamics() = default;
 InverseDynamics::InverseDynamics(InverseDynamics&&) noexcept = default;
 
 void InverseDynamics::solve(std::size_t count, const double* jets, const double* loads, const Eigen::Vector3d& gravity,
-                            MotionReactions& out, bool reactions) {
+                            MotionReactions& out, bool reactions, const double* wrenches) {
   PMREPORT_ASSERT(work_ != nullptr && jets != nullptr && loads != nullptr, "there is a motion and a load");
-  work_->solve(count, jets, loads, gravity, out, reactions);
+  work_->solve(count, jets, loads, gravity, out, reactions, wrenches);
 }
 
 bool InverseDynamics::limb_by_limb() const { return work_->limb_by_limb(); }

@@ -28,8 +28,9 @@ class InverseDynamics {
   // `jets`: coordinates with rates and accelerations as the contract has them, component c of coordinate i of pose k at
   // [(3 i + c) * count + k]. `loads`: 6 numbers a pose, the wrench on the platform, [c * count + k]. Poses out of reach give NaN.
   // `reactions` false: actuator forces alone. Reuses the memory of `out`. Keeps buffers: one object a thread.
+  // `wrenches`: on each of the bodies 1..n, 6 numbers a body and pose, all about the platform's reference point, likewise; null: none.
   void solve(std::size_t count, const double* jets, const double* loads, const Eigen::Vector3d& gravity, MotionReactions& out,
-             bool reactions = true);
+             bool reactions = true, const double* wrenches = nullptr);
   // False where the structure is none that is cut at its platform: then one system over all bodies answers, as in `dense_reactions`.
   bool limb_by_limb() const;
 

@@ -120,20 +120,18 @@ std::vector<Vector6d> limb_wrenches(const Machine& machine, const State& state, 
   return out;
 }
 
-JointReactions dense_reactions(const Machine& machine, const State& state, const GenericModel& model, const JointFrames& frames,
-                               const Loading& loading, double length) {
-  PMREPORT_ASSERT(state.status == PM_OK, "the state is that of an assembled pose");
-  const Index rows = model.constraints.rows(), m = model.actuation.rows();
-  MatrixXd all(rows + m, model.constraints.cols());
+namespace {
+
+// (1) for lambda and tau together. Moments count per length, and so do multipliers of couples: the norm of a solution is that of the
+// header. A couple has no force.
+MatrixXd equations(const GenericModel& model, double length) {
+  MatrixXd all(model.constraints.rows() + model.actuation.rows(), model.constraints.cols());
   all << model.constraints, model.actuation;
-  MatrixXd system = per_length(std::move(all), length).transpose();
-  const VectorXd required = inertial_wrenches(machine, state) - applied_wrenches(machine, state, loading);
-  VectorXd right = required;
-  // (1) for lambda and tau together. Moments count per length, and so do multipliers of couples: the norm of a solution is that of the
-  // header. A couple has no force.
-  for (Index at = 0; at < system.rows(); at += 6) right.segment<3>(at + 3) /= length;
-  VectorXd scale = VectorXd::Ones(rows + m);
-  for (Index c = 0; c < rows + m; ++c) {
+  return per_length(std::move(all), length).transpose();
+}
+VectorXd scale_of(const MatrixXd& system) {
+  VectorXd scale = VectorXd::Ones(system.cols());
+  for (Index c = 0; c < system.cols(); ++c) {
     double force = 0, couple = 0;
     for (Index at = 0; at < system.rows(); at += 6) {
       force = std::max(force, system.col(c).segment<3>(at).norm());
@@ -141,20 +139,44 @@ JointReactions dense_reactions(const Machine& machine, const State& state, const
     }
     if (force == 0) scale(c) = 1 / couple;
   }
-  system = system * scale.asDiagonal();
+  return scale;
+}
 
-  JointReactions out;
-  const VectorXd x = scale.asDiagonal() * linear::least_norm_solution(system, right, linear::rank_tolerance);
-  const MatrixXd null = scale.asDiagonal() * linear::null_space(system);
-  out.actuator_forces = x.tail(m);
-  out.joints = joint_wrenches(machine, state, model, x.head(rows));
+}  // namespace
+
+DenseSystem::DenseSystem(const Machine& machine, const State& state, const GenericModel& model, const JointFrames& frames, double length)
+    : machine_(machine),
+      state_(state),
+      model_(model),
+      length_(length),
+      scale_(scale_of(equations(model, length))),
+      solver_(equations(model, length) * scale_.asDiagonal(), linear::rank_tolerance) {
+  PMREPORT_ASSERT(state.status == PM_OK, "the state is that of an assembled pose");
+  const Index rows = model.constraints.rows(), m = model.actuation.rows();
+  const MatrixXd null = scale_.asDiagonal() * linear::null_space(equations(model, length) * scale_.asDiagonal());
   for (Index k = 0; k < null.cols(); ++k) {
-    out.stresses.push_back(joint_wrenches(machine, state, model, null.col(k).head(rows)));
-    if (null.col(k).tail(m).cwiseAbs().maxCoeff() > linear::carried_share * null.col(k).cwiseAbs().maxCoeff()) out.singular = true;
+    stresses_.stresses.push_back(joint_wrenches(machine, state, model, null.col(k).head(rows)));
+    if (null.col(k).tail(m).cwiseAbs().maxCoeff() > linear::carried_share * null.col(k).cwiseAbs().maxCoeff()) stresses_.singular = true;
   }
-  out.indeterminate = indeterminate_components(state, frames, out.stresses, length);
-  out.residual = free_body_residual(machine, state, out.joints, out.actuator_forces, required, length);
+  stresses_.indeterminate = indeterminate_components(state, frames, stresses_.stresses, length);
+}
+
+JointReactions DenseSystem::reactions(const VectorXd& required) const {
+  VectorXd right = required;
+  for (Index at = 0; at < right.size(); at += 6) right.segment<3>(at + 3) /= length_;
+  const VectorXd x = scale_.asDiagonal() * solver_.solve(right);
+  const Index m = model_.actuation.rows();
+  JointReactions out = stresses_;
+  out.actuator_forces = x.tail(m);
+  out.joints = joint_wrenches(machine_, state_, model_, x.head(x.size() - m));
+  out.residual = free_body_residual(machine_, state_, out.joints, out.actuator_forces, required, length_);
   return out;
+}
+
+JointReactions dense_reactions(const Machine& machine, const State& state, const GenericModel& model, const JointFrames& frames,
+                               const Loading& loading, double length) {
+  return DenseSystem(machine, state, model, frames, length)
+      .reactions(inertial_wrenches(machine, state) - applied_wrenches(machine, state, loading));
 }
 
 }  // namespace pmreport::mechanics

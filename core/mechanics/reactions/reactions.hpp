@@ -8,6 +8,7 @@
 // characteristic length.
 #pragma once
 
+#include <core/linear/least_norm.hpp>
 #include <core/mechanics/dynamics/momentum.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/model/joint_frame.hpp>
@@ -26,6 +27,25 @@ struct JointReactions {
   std::vector<std::vector<Vector6d>> stresses;  // independent self-stresses, each as `joints`, in no particular scale
   double residual = 0;    // free bodies: largest unbalanced force, or moment per length, relative to the largest reaction, load or inertia
   bool singular = false;  // the actuators cannot carry every load here: no forces are given
+};
+
+// The system (1) at a pose, factorised over all bodies at once. `state.status` is PM_OK and `model` its generic model; machine, state,
+// model and frames must outlive it. `length`: characteristic_length(machine) [m].
+class DenseSystem {
+ public:
+  DenseSystem(const Machine& machine, const State& state, const GenericModel& model, const JointFrames& frames, double length);
+
+  // `required`: inertial less applied wrenches of the bodies 1..n, stacked, each about the body's origin.
+  JointReactions reactions(const Eigen::VectorXd& required) const;
+
+ private:
+  const Machine& machine_;
+  const State& state_;
+  const GenericModel& model_;
+  double length_;
+  Eigen::VectorXd scale_;
+  linear::LeastNorm solver_;
+  JointReactions stresses_;  // without loads: what the null space says
 };
 
 // By one dense factorisation over all bodies: for any structure, and the judge of InverseDynamics.

@@ -15,6 +15,7 @@ namespace pmreport::scenario {
 struct GivenTable {
   std::string name;
   const Entry* entry;
+  bool used = false;  // by more than sections that need it
 };
 
 // A section whose kind cannot be read keeps none. `drives`: what [drive] says.

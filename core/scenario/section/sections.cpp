@@ -17,6 +17,10 @@ const Entry* entry_of(const std::string& table, std::span<const GivenTable> tabl
   return found != tables.end() ? found->entry : nullptr;
 }
 
+bool used(const std::string& table, std::span<const GivenTable> tables) {
+  return std::any_of(tables.begin(), tables.end(), [&](const GivenTable& t) { return t.name == table && t.used; });
+}
+
 // A section that has nothing to show without its table, and a table that no section shows.
 void match_tables(const std::vector<Section>& sections, const std::vector<Place>& kinds_at, Kinds kinds, std::span<const GivenTable> tables,
                   const Reader& reader) {
@@ -32,7 +36,7 @@ void match_tables(const std::vector<Section>& sections, const std::vector<Place>
       const Entry* given = entry_of(table.name, tables);
       const bool shown =
           std::any_of(sections.begin(), sections.end(), [&](const Section& s) { return s.kind == kind || s.kind == nullptr; });
-      if (given != nullptr && !shown && !table.idle.empty())
+      if (given != nullptr && !shown && !table.idle.empty() && !used(table.name, tables))
         diagnostics.add(given->place,
                         fmt::format("[{}] is for the section {}, which this scenario does not have", table.name, in_quotes(kind->name)),
                         fmt::format("add [[section]] and kind = {}; {}", in_quotes(kind->name), table.idle));
@@ -82,6 +86,7 @@ Needs& Needs::operator|=(const Needs& more) {
   drives |= more.drives;
   reactions |= more.reactions;
   transmission |= more.transmission;
+  stiffness |= more.stiffness;
   pictures |= more.pictures;
   values_of_others |= more.values_of_others;
   displacement_evidence |= more.displacement_evidence;

@@ -23,6 +23,7 @@ std::vector<scenario::Quantity> quantities(const scenario::Options*) {
   return {{"reactions.peak_force", "N", "largest force in any joint", false},
           {"reactions.peak_moment", "N*m", "largest moment in any joint", false},
           {"reactions.indeterminate", "", "components of joint reactions that rigid bodies do not determine"},
+          {"reactions.by_elasticity", "", "components that rigid bodies leave open and elasticity determines"},
           {"reactions.self_stresses", "", "independent self-stresses"}};
 }
 

@@ -35,7 +35,7 @@ std::string number(double si, const DisplayUnit& unit, bool doubtful = false) {
 }
 
 std::string verdict(const JointLoad& load) {
-  if (load.doubtful == 0) return "unique";
+  if (load.doubtful == 0) return load.elastic == 0 ? "unique" : "unique by elasticity";
   std::string components;
   for (int c = 0; c < 6; ++c)
     if ((load.doubtful >> c & 1) != 0) components += fmt::format(" {}", symbol(fmt::format("{}{}", c < 3 ? 'F' : 'M', c % 3 + 1)));

@@ -28,13 +28,15 @@ constexpr std::size_t most_curves = 12;
 int bits(unsigned x) { return __builtin_popcount(x); }
 
 struct Count {
-  int components = 0, doubtful = 0;  // transmitted by all joints, and of these not determined by rigid bodies
+  int components = 0;  // transmitted by all joints
+  int doubtful = 0, elastic = 0;  // of these: determined by nothing, determined by elasticity alone
 };
 Count count(const Analysis& a, const std::vector<JointLoad>& loads) {
   Count n;
   for (std::size_t j = 0; j < loads.size(); ++j) {
     for (int c = 0; c < 6; ++c) n.components += analysis::transmits(a.machine().topology().joints[j].kind, c);
     n.doubtful += bits(loads[j].doubtful);
+    n.elastic += bits(loads[j].elastic);
   }
   return n;
 }
@@ -52,7 +54,28 @@ std::string definition(const Analysis& a) {
       dynamics ? "; it stands in section dynamics" : "");
 }
 
+// What elasticity adds, and what the least-norm solution had missed.
+std::string elastic_verdict(const Analysis& a, const Count& n) {
+  const analysis::ElasticReactions& e = a.elastic_reactions();
+  const auto joint = [&](int j) { return a.machine().topology().joints[static_cast<std::size_t>(j)].name; };
+  std::string out = fmt::format(
+      "Of the {} components that the joints transmit, {} are unique by the balance of the bodies alone. The joints hold the bodies in {} more "
+      "than needed; {} more components are unique by elasticity: of all reactions that balance the loads those with the least energy of the elastic "
+      "elements, which section stiffness lists, are shown.",
+      n.components, n.components - n.doubtful - n.elastic, plural(a.self_stresses(), "way"), n.elastic);
+  std::vector<std::string> missed;
+  if (e.force > 0) missed.push_back(fmt::format("the force in joint {} by {} at t = {}", joint(e.force_joint), show(e.force, "N", 3), show_time(a, e.force_sample)));
+  if (e.moment > 0)
+    missed.push_back(fmt::format("the moment in joint {} by {} at t = {}", joint(e.moment_joint), show(e.moment, "N*m", 3), show_time(a, e.moment_sample)));
+  if (!missed.empty()) out += fmt::format(" The solution of least norm, which has no self-stress in it, misses {} at most.", listed(missed, "and"));
+  if (n.doubtful > 0)
+    out += fmt::format(" {} that no element gives energy leave {} components indeterminate, marked {}: least-norm values, no prediction.",
+                       plural(e.open, "self-stress", "self-stresses"), n.doubtful, least_norm_mark);
+  return out;
+}
+
 std::string verdict(const Analysis& a, const Count& n) {
+  if (n.elastic > 0) return elastic_verdict(a, n);
   if (n.doubtful == 0)
     return fmt::format("All {} components that the joints transmit are unique: the balance of the bodies alone determines them.",
                        n.components);
@@ -218,7 +241,7 @@ Result reactions_section(const Analysis& a, const ReactionsOptions& request) {
   const Count n = count(a, loads);
   tell(definition(a));
   tell(verdict(a, n));
-  if (n.doubtful > 0) add_stresses(s, a, spread.front());
+  if (n.doubtful + n.elastic > 0) add_stresses(s, a, spread.front());
 
   for (const bool moment : {false, true})
     if (const JointFigure f(a, loads, request, moment); f.any()) s.blocks.push_back(f.figure());
@@ -241,7 +264,7 @@ Result reactions_section(const Analysis& a, const ReactionsOptions& request) {
           {Measure::judge, "Limb by limb equals the system over all bodies",
            "reactions by elimination in each limb against one factorisation over all bodies, relative to the largest", 1e-8, "",
            "the platform does not cut this mechanism into limbs, and the factorisation over all bodies is the only way"}});
-  if (n.doubtful > 0) p.lines.push_back(stresses_in_balance(a, spread));
+  if (n.doubtful + n.elastic > 0) p.lines.push_back(stresses_in_balance(a, spread));
   if (limbs.any()) p.lines.push_back(platform_in_balance(limbs));
   s.blocks.push_back(std::move(p));
 
@@ -250,6 +273,7 @@ Result reactions_section(const Analysis& a, const ReactionsOptions& request) {
   out.values = {{"reactions", "peak_force", "N", force},
                 {"reactions", "peak_moment", "N*m", moment},
                 {"reactions", "indeterminate", "", double(n.doubtful)},
+                {"reactions", "by_elasticity", "", double(n.elastic)},
                 {"reactions", "self_stresses", "", double(a.self_stresses())}};
   return out;
 }

@@ -12,6 +12,7 @@ namespace pmreport::mechanics {
 struct DynamicsBatch {
   const double* placement = nullptr;  // of order PM_JET
   const double* loads = nullptr;
+  const double* wrenches = nullptr;  // null: none beside the loads
   double gravity[3] = {0, 0, 0};
   std::size_t stride = 1;              // a multiple of the kernel's width: whoever calls fills it up
   std::size_t count = 1, written = 1;  // results are written of the first so many poses

@@ -106,6 +106,12 @@ class LimbSolver : PackGeometry<T> {
     const std::size_t s = in_.stride;
     platform.force -= {T::load(load), T::load(load + s), T::load(load + 2 * s)};
     platform.moment -= {T::load(load + 3 * s), T::load(load + 4 * s), T::load(load + 5 * s)};
+    if (in_.wrenches == nullptr) return;
+    const double* w = in_.wrenches + pose_;
+    for (int b = 1; b < p_.bodies; ++b, w += 6 * s) {
+      d_.beyond[b].force -= {T::load(w), T::load(w + s), T::load(w + 2 * s)};
+      d_.beyond[b].moment -= {T::load(w + 3 * s), T::load(w + 4 * s), T::load(w + 5 * s)};
+    }
   }
 
   // (2) of a group, C x = d. For each passive freedom of a tree joint at c: the wrenches of the cuts beyond do the same work on it as what

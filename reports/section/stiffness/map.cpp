@@ -1,0 +1,69 @@
+// Indices over two coordinates.
+#include <reports/section/common/words.hpp>
+#include <reports/section/stiffness/stiffness.hpp>
+
+#include <core/analysis/columns.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace pmreport::section {
+
+namespace {
+
+// "pF max", "f₁", "share of leg1"
+std::string symbol_of(const Column& c) {
+  if (c.group == "frequency") return symbol("f" + c.name.substr(9));
+  if (c.group == "pF" || c.group == "pT" || c.group == "PhiT") {
+    std::string out = c.name;
+    std::ranges::replace(out, '_', ' ');
+    return c.group == "PhiT" ? "ΦT" + out.substr(4) : out;
+  }
+  return c.name;
+}
+
+}  // namespace
+
+DrawnMap stiffness_map(const Analysis& a, const StiffnessRequest& request, std::vector<document::Value>& values) {
+  const mechanics::Machine& m = a.machine();
+  analysis::PoseMap map = *request.map;
+  if (map.at.size() == 0) map.at = m.home();
+  const std::vector<Column> all = analysis::stiffness_columns(m.topology());
+  std::vector<Column> shown;
+  for (const std::string& name : request.shown)
+    if (const auto c = std::ranges::find(all, name, &Column::name); c != all.end()) shown.push_back(*c);
+  const bool loaded = a.samples() > 0;
+  mechanics::Vector6d load = mechanics::Vector6d::Zero();
+  if (loaded) load << a.scenario().load.force.front(), a.scenario().load.moment.front();
+  const Eigen::Vector3d gravity = loaded ? a.scenario().load.gravity : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  const auto numbers = analysis::over_map(map, shown.size(), [&] {
+    return [&, statics = std::make_shared<mechanics::Elastostatics>(m), placement = std::vector<double>(m.layout().size())](
+               std::span<const double> q, std::span<double> out) mutable {
+      if (m.place(PM_VALUE, 1, q.data(), placement.data()) != PM_OK) return;
+      const Eigen::VectorXd coordinates = Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
+      const mechanics::ElasticPose pose = statics->at(coordinates, load, gravity, {loaded, request.limb_inertia});
+      if (!pose.known) return;
+      const auto tool = analysis::at_tool(m, pose, placement.data(), request);
+      analysis::stiffness_numbers(m, pose, tool, request, a.length(), loaded, [&](const ColumnId& id, double x) {
+        for (std::size_t i = 0; i < shown.size(); ++i)
+          if (shown[i].name == id.name()) out[i] = x;
+      });
+    };
+  });
+  std::vector<MapIndex> indices;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    double least = std::numeric_limits<double>::quiet_NaN(), largest = least;
+    for (const double x : numbers[i])
+      if (std::isfinite(x)) least = std::fmin(least, x), largest = std::fmax(largest, x);
+    values.push_back({"stiffness", "map_min_" + shown[i].name, shown[i].unit, least});
+    values.push_back({"stiffness", "map_max_" + shown[i].name, shown[i].unit, largest});
+    indices.push_back({shown[i].name, shown[i].unit, shown[i].title, symbol_of(shown[i]), numbers[i]});
+  }
+  return draw_map(a, map, "stiffness-map", loaded ? "elasticity, under the load at the start of the motion." : "elasticity.", indices);
+}
+
+}  // namespace pmreport::section
