@@ -2,6 +2,7 @@
 
 #include <core/analysis/proved_crossings.hpp>
 #include <core/analysis/samples/sample_work.hpp>
+#include <core/analysis/transmission/transmission_numbers.hpp>
 #include <core/mechanics/singularity/singularity.hpp>
 
 #include <tbb/enumerable_thread_specific.h>
@@ -69,12 +70,19 @@ void Analysis::run(const Progress& progress) {
   const std::size_t n = time().size();
   for (ColumnList* list : {displacement_columns, velocity_columns, acceleration_columns, statics_columns})
     for (const Column& c : list(machine_.topology())) columns_.add(c, n);
+  if (asked_.transmission) {
+    transmission_ = std::make_unique<const mechanics::Transmission>(machine_, asked_.transmission_length);
+    const std::vector<Column> columns = transmission_columns(machine_.topology());
+    const std::vector<std::string> reasons = why_without(*transmission_);
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      if (reasons[i].empty()) columns_.add(columns[i], n);
+  }
   outcomes_.assign(n, Outcome::good);
   wrenches_.assign(n, {});
 
   const mechanics::Closure closure(machine_);
   tbb::enumerable_thread_specific<SampleWork> workers(
-      [&] { return SampleWork(trajectory_, scenario_.load, machine_, closure, length_, asked_); });
+      [&] { return SampleWork(trajectory_, scenario_.load, machine_, closure, length_, asked_, transmission_.get()); });
   std::mutex sentences;
   // Blocks, so that a request to stop is heard in time; within a block every sample stands alone and the order does not matter.
   constexpr std::size_t block = 4096;

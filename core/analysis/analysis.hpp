@@ -16,9 +16,11 @@
 #include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/model/outcome.hpp>
 #include <core/mechanics/reactions/reactions.hpp>
+#include <core/mechanics/transmission/transmission.hpp>
 #include <core/scenario/scenario.hpp>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -52,6 +54,9 @@ class Analysis {
   int count(Outcome c) const;
   const std::string& why(int sample) const;  // of a sample that is not good
   Worst worst(Measure m, double tolerance = std::numeric_limits<double>::infinity()) const { return residuals_.worst(m, tolerance); }
+
+  // What the section transmission asks of; null where nobody does.
+  const mechanics::Transmission* transmission() const { return transmission_.get(); }
 
   bool has_dynamics() const { return asked_.forces; }                                 // a section or a limit asks for forces in motion
   const std::vector<Indeterminate>& indeterminate() const { return indeterminate_; }  // of each joint, in any sample
@@ -89,6 +94,7 @@ class Analysis {
   const mechanics::Machine& machine_;
   Asked asked_;
   double length_;
+  std::unique_ptr<const mechanics::Transmission> transmission_;
   mechanics::Mobility mobility_;
   ColumnStore columns_;
   std::vector<Outcome> outcomes_;

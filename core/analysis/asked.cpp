@@ -1,5 +1,6 @@
 #include <core/analysis/asked.hpp>
 
+#include <core/analysis/transmission/request.hpp>
 #include <core/scenario/scenario.hpp>
 
 #include <algorithm>
@@ -27,6 +28,10 @@ Asked asked_by(const scenario::Scenario& s) {
   out.power_evidence = needs.power_evidence;
   out.drives = needs.drives;
   out.reactions = needs.reactions || bounds(s.limits.joint_force) || bounds(s.limits.joint_moment);
+  out.transmission = needs.transmission;
+  for (const scenario::Section& section : s.sections)
+    if (const auto* request = dynamic_cast<const TransmissionRequest*>(section.options.get()))
+      out.transmission_length = request->length.value_or(0);
   out.stiffness = needs.stiffness;
   return out;
 }

@@ -19,6 +19,8 @@ struct Asked {
   bool power_evidence = false;         // that power becomes energy
   bool drives = false;                 // what drives and motors must give; within forces in motion
   bool reactions = false;              // the wrench in every joint; within forces in motion
+  bool transmission = false;           // how well actuators move the platform
+  double transmission_length = 0;      // that makes moments comparable with forces in it [m]; 0: the characteristic length
   bool stiffness = false;              // deflection, indices of the compliance, frequencies
   bool singularities = true;           // where the motion meets one, or comes near it
 };

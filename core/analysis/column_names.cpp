@@ -12,6 +12,8 @@ namespace {
 
 // Of a joint's motion.
 constexpr const char *deflection = "_deflection", *angle = "_angle";
+// Of a constraint's.
+constexpr const char* transmission = "_transmission";
 
 std::string suffix_of(OfMotion what) {
   switch (what) {
@@ -43,6 +45,14 @@ const char* name_of(OfMachine what) {
       return "kinetic_energy";
     case OfMachine::potential_energy:
       return "potential_energy";
+    case OfMachine::local_transmission:
+      return "local_transmission";
+    case OfMachine::least_cosine:
+      return "least_cosine";
+    case OfMachine::local_conditioning:
+      return "local_conditioning";
+    case OfMachine::manipulability:
+      return "manipulability";
   }
   return "";
 }
@@ -103,6 +113,12 @@ std::string word_of(OfActuator what) {
       return "motor_power";
     case OfActuator::reflected_inertia:
       return "reflected_inertia";
+    case OfActuator::pressure:
+      return "pressure";
+    case OfActuator::output:
+      return "output";
+    case OfActuator::input:
+      return "input";
   }
   return "";
 }
@@ -149,6 +165,7 @@ ColumnId column_of(const Actuator& actuator, OfMotion what) { return ColumnId::n
 ColumnId column_of(const Actuator& actuator, OfActuator what) { return ColumnId::named(actuator.name + suffix_of(what)); }
 ColumnId column_of(const Reading& reading) { return ColumnId::named(reading.name); }
 ColumnId column_of(const Constraint& constraint) { return ColumnId::named(constraint.name); }
+ColumnId transmission_of(const Constraint& constraint) { return ColumnId::named(constraint.name + transmission); }
 ColumnId column_of(const Joint& joint, OfJoint what) { return ColumnId::named(joint.name + suffix_of(what)); }
 ColumnId column_of(OfPlatform vector, std::size_t axis) { return ColumnId::named(fmt::format("{}_{}", word_of(vector), "xyz"[axis])); }
 ColumnId column_of(OfMachine what) { return ColumnId::named(name_of(what)); }
@@ -168,7 +185,8 @@ ColumnId limb_column(int limb, int c) { return ColumnId::named(fmt::format("limb
 std::string owner_of(const ColumnId& column) {
   std::string out = column.name();
   for (const std::string& suffix : {suffix_of(OfMotion::rate), suffix_of(OfMotion::acceleration), suffix_of(OfActuator::dynamic_force),
-                                    suffix_of(OfActuator::static_force), std::string(deflection), std::string(angle)})
+                                    suffix_of(OfActuator::static_force), suffix_of(OfActuator::pressure), suffix_of(OfActuator::output),
+                                    suffix_of(OfActuator::input), std::string(transmission), std::string(deflection), std::string(angle)})
     if (out.ends_with(suffix)) out.erase(out.size() - suffix.size());
   return out;
 }

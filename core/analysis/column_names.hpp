@@ -40,7 +40,10 @@ enum class OfActuator {
   motor_torque,
   motor_speed,
   motor_power,
-  reflected_inertia
+  reflected_inertia,
+  pressure,  // of transmission
+  output,
+  input
 };
 enum class OfJoint { force, moment };  // their sizes
 enum class OfPlatform { velocity, angular_velocity, acceleration, angular_acceleration, deflection, deflection_turn };
@@ -57,7 +60,18 @@ enum class OfStiffness {
   PhiT_max,
   PhiT_min
 };
-enum class OfMachine { determinant, condition, total_power, load_power, kinetic_energy, potential_energy };
+enum class OfMachine {
+  determinant,
+  condition,
+  total_power,
+  load_power,
+  kinetic_energy,
+  potential_energy,
+  local_transmission,
+  least_cosine,
+  local_conditioning,
+  manipulability
+};
 
 // What stands behind the name of its actuator, and names the group of all actuators too: "motor_torque".
 std::string word_of(OfActuator what);
@@ -73,9 +87,10 @@ ColumnId column_of(const Actuator& actuator, OfMotion what = OfMotion::value);
 ColumnId column_of(const Actuator& actuator, OfActuator what);  // "l1_force", "l1_dynamic_force"
 ColumnId column_of(const Reading& reading);
 ColumnId column_of(const Constraint& constraint);
-ColumnId column_of(const Joint& joint, OfJoint what);     // "B1_force"
-ColumnId column_of(OfPlatform vector, std::size_t axis);  // "velocity_x"; `axis`: of the base, 0-2
-ColumnId column_of(OfMachine what);                       // "det_G", "total_power"
+ColumnId transmission_of(const Constraint& constraint);      // "constraint1_transmission"
+ColumnId column_of(const Joint& joint, OfJoint what);        // "B1_force"
+ColumnId column_of(OfPlatform vector, std::size_t axis);     // "velocity_x"; `axis`: of the base, 0-2
+ColumnId column_of(OfMachine what);                          // "det_G", "total_power"
 ColumnId column_of(const Element& element, OfElement what);  // "leg1_axial"
 ColumnId column_of(OfStiffness what);                        // "pF_max"
 ColumnId frequency_column(int mode);                         // from 1: "frequency1"

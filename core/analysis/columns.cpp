@@ -2,11 +2,12 @@
 #include <core/mechanics/machine/joint_words.hpp>
 #include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/joint_motion.hpp>
-#include <core/mechanics/workspace/limb_line.hpp>
+#include <core/mechanics/machine/limb_line.hpp>
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace pmreport::analysis {
 
@@ -142,6 +143,21 @@ std::vector<Column> drive_columns(const Topology& t) {
   for (const Actuator& a : t.actuators)
     out.push_back({column_of(a, OfActuator::reflected_inertia).name(), mechanics::unit_of_inertia(a.sense()),
                    word_of(OfActuator::reflected_inertia), fmt::format("inertia that {} feels, the other actuators held", a.name)});
+  return out;
+}
+
+std::vector<Column> transmission_columns(const Topology& t) {
+  std::vector<Column> out;
+  for (const auto& [what, unit, group, words] : {std::tuple{OfActuator::pressure, "rad", "pressure_angle", "pressure angle"},
+                                                 {OfActuator::output, "", "output_transmission", "output transmission index"},
+                                                 {OfActuator::input, "", "input_transmission", "input transmission index"}})
+    for (const Actuator& a : t.actuators) out.push_back({column_of(a, what).name(), unit, group, fmt::format("{} of {}", words, a.name)});
+  for (const Constraint& c : t.constraints)
+    out.push_back({transmission_of(c).name(), "", "constraint_transmission", "constraint transmission index of " + c.name});
+  add_single(out, OfMachine::local_transmission, "", "local transmission index, the least of all outputs and inputs");
+  add_single(out, OfMachine::least_cosine, "", "least cosine of the pressure angles of all drives");
+  add_single(out, OfMachine::local_conditioning, "", "local conditioning index, 1 over the condition number");
+  add_single(out, OfMachine::manipulability, "", "manipulability, 1 over the magnitude of the determinant");
   return out;
 }
 

@@ -17,6 +17,7 @@ std::vector<Column> statics_columns(const Topology& t);       // actuator forces
 std::vector<Column> dynamics_columns(const Topology& t);      // actuator forces, powers and energies in motion
 std::vector<Column> drive_columns(const Topology& t);         // what drives and motors must give
 std::vector<Column> reaction_columns(const Topology& t);      // the wrench in every joint, and of every limb on the platform
+std::vector<Column> transmission_columns(const Topology& t);  // how well actuators move the platform, and constraints hold it
 
 // Deflection of the tool, indices, frequencies; of every element its share, of every beam its internal forces. Those of a motion's loads come
 // first.

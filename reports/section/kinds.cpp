@@ -17,6 +17,7 @@ namespace pmreport::section {
   KIND(speed)                        \
   KIND(mobility)                     \
   KIND(singularity)                  \
+  KIND(transmission)                 \
   KIND(assembly)                     \
   KIND(workspace)                    \
   KIND(study)                        \

@@ -25,6 +25,9 @@ std::string section_of(const std::string& kind) {
       {"snapshots", "times = [\"0.5 s\"]\nsize = [320, 240]\n"},
       {"dynamics", "equations = [\"0.5 s\"]\n"},
       {"singularity", "poses = [{x = \"10 mm\"}]\nmap = {x = [\"-100 mm\", \"100 mm\"], z = [\"500 mm\", \"600 mm\"], points = 11}\n"},
+      {"transmission",
+       "poses = [{x = \"10 mm\"}]\nmap = {x = [\"-100 mm\", \"100 mm\"], z = [\"500 mm\", \"600 mm\"], points = 11}\n"
+       "grid = {x = [\"-100 mm\", \"100 mm\", 21], z = [\"500 mm\", \"600 mm\", 21]}\n"},
       {"stiffness", "poses = [{x = \"10 mm\"}]\nmap = {x = [\"-100 mm\", \"100 mm\"], z = [\"500 mm\", \"600 mm\"], points = 7}\n"},
       {"mobility", "poses = 10\n"},
       {"workspace",

@@ -194,5 +194,5 @@ TEST_CASE("every kind has a purpose and a maker: its quantities begin with its n
     if (kind->quantities == nullptr) continue;
     for (const scenario::Quantity& q : kind->quantities(nullptr)) CHECK(q.name.starts_with(kind->name + "."));
   }
-  CHECK(names.size() == 17);
+  CHECK(names.size() == 19);
 }

@@ -1,7 +1,7 @@
 #include <core/analysis/samples/force_columns.hpp>
 
 #include <core/analysis/columns.hpp>
-#include <core/mechanics/workspace/limb_line.hpp>
+#include <core/mechanics/machine/limb_line.hpp>
 
 namespace pmreport::analysis {
 

@@ -2,6 +2,7 @@
 
 #include <core/analysis/columns.hpp>
 #include <core/analysis/conditioning.hpp>
+#include <core/analysis/transmission/transmission_numbers.hpp>
 #include <core/mechanics/model/differences.hpp>
 #include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/generic_model.hpp>
@@ -50,6 +51,7 @@ Outcome SampleWork::run(int sample, int previous, Row& row, const Put& put) {
   const bool rates = asked_.velocity_evidence || asked_.acceleration_evidence;
   const mechanics::GenericModel model = rates || asked_.statics ? generic_model(machine_, state_) : mechanics::GenericModel{};
   kinematics(put, c);
+  if (transmission_ != nullptr) transmission(put);
   if (asked_.displacement_evidence) {
     const mechanics::ClosureError e = closure_.error(state_.bodies);
     set(row, Measure::gap, e.gap);
@@ -99,6 +101,14 @@ void SampleWork::kinematics(const Put& put, const mechanics::ClosedForm& c) {
     for (std::size_t n = 0; n < motion.size(); ++n)
       if (mechanics::is_told(t.joints[i], n)) put(joint_column(t.joints[i], n), motion[n]);
   }
+}
+
+void SampleWork::transmission(const Put& put) {
+  std::vector<double> q;
+  for (const mechanics::Scalar& x : state_.coordinates) q.push_back(x.value);
+  transmission_numbers(*transmission_, q, transmission_work_, transmission_numbers_);
+  for (std::size_t i = 0; i < transmission_columns_.size(); ++i)
+    if (std::isfinite(transmission_numbers_[i])) put(transmission_columns_[i], transmission_numbers_[i]);
 }
 
 // Of velocities and accelerations together: they share what they are made of.

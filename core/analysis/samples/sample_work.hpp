@@ -2,7 +2,7 @@
 #pragma once
 
 #include <core/analysis/asked.hpp>
-#include <core/analysis/column_names.hpp>
+#include <core/analysis/columns.hpp>
 #include <core/analysis/conditioning.hpp>
 #include <core/analysis/residuals.hpp>
 #include <core/mechanics/displacement/displacement.hpp>
@@ -11,20 +11,33 @@
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/model/outcome.hpp>
 #include <core/mechanics/trajectory/trajectory.hpp>
+#include <core/mechanics/transmission/transmission.hpp>
 #include <core/scenario/load.hpp>
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace pmreport::analysis {
 
 // Each thread has its own, with the buffers it reuses.
 class SampleWork {
  public:
-  // `length`: characteristic length [m].
+  // `length`: characteristic length [m]; `transmission`: null where nobody asks for it.
   SampleWork(const mechanics::Trajectory& trajectory, const scenario::Load& load, const mechanics::Machine& m,
-             const mechanics::Closure& closure, double length, const Asked& asked)
-      : trajectory_(trajectory), load_(load), machine_(m), closure_(closure), forward_(m), length_(length), asked_(asked) {}
+             const mechanics::Closure& closure, double length, const Asked& asked, const mechanics::Transmission* transmission = nullptr)
+      : trajectory_(trajectory),
+        load_(load),
+        machine_(m),
+        closure_(closure),
+        forward_(m),
+        length_(length),
+        asked_(asked),
+        transmission_(transmission) {
+    if (transmission == nullptr) return;
+    for (const Column& c : transmission_columns(m.topology())) transmission_columns_.emplace_back(c);
+    transmission_numbers_.resize(transmission_columns_.size());
+  }
 
   using Put = std::function<void(const ColumnId& column, double value)>;
 
@@ -35,6 +48,7 @@ class SampleWork {
 
  private:
   void kinematics(const Put& put, const mechanics::ClosedForm& c);
+  void transmission(const Put& put);
   void prove_rates(Row& row, const mechanics::ClosedForm& c, const mechanics::GenericModel& model);
   void round_trip(int sample, int previous, double condition, Row& row);
   void statics(int sample, Row& row, const Put& put, const mechanics::ClosedForm& c, const mechanics::GenericModel& model);
@@ -47,6 +61,10 @@ class SampleWork {
   mechanics::ForwardSolver forward_;
   double length_;
   Asked asked_;
+  const mechanics::Transmission* transmission_;
+  mechanics::Transmission::Work transmission_work_;
+  std::vector<ColumnId> transmission_columns_;
+  std::vector<double> transmission_numbers_;
   mechanics::State state_;
   HoldingWrenches wrenches_;
 };

@@ -4,6 +4,8 @@
 #include <core/analysis/workspace/scan_of.hpp>
 #include <core/mechanics/machine/joint_words.hpp>
 #include <core/mechanics/model/closure.hpp>
+#include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/transmission/transmission_paths.hpp>
 #include <core/mechanics/workspace/segments.hpp>
 #include <core/program/evaluate.hpp>
 
@@ -44,13 +46,18 @@ double segment_distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b, cons
 
 // What no other way is known for.
 bool judged_in_one_way(const PoseLimit& limit) {
-  return limit.group == PoseLimit::Group::condition || limit.group == PoseLimit::Group::compliance;
+  return limit.group == PoseLimit::Group::condition || limit.group == PoseLimit::Group::transmission ||
+         limit.group == PoseLimit::Group::compliance;
 }
 
 // The values of limits at a pose that can be assembled, in the order of `limits`: all but the reach and what is judged in one way only.
 class Values {
  public:
-  Values(const Workspace& w, const mechanics::Machine& machine) : w_(w), machine_(machine), closure_(machine) {}
+  Values(const Workspace& w, const mechanics::Machine& machine)
+      : w_(w),
+        machine_(machine),
+        closure_(machine),
+        drives_(mechanics::transmission_paths(machine, characteristic_length(machine)).drives) {}
 
   std::vector<double> at(std::span<const double> q, const mechanics::Pose& pose) const {
     std::vector<double> out;
@@ -110,21 +117,23 @@ class Values {
       }
   }
 
-  // By differences: the lines of the drives and the actuators' values a little to either side of the pose, one coordinate after the other.
+  // By differences: the points that the drives push and the actuators' values a little to either side of the pose, one coordinate after the
+  // other.
   std::vector<double> pressure_angles(std::span<const double> q, const mechanics::Pose& pose) const {
     constexpr double step = 1e-5;  // [m], [rad]: of differences its square remains, and rounding over it
-    const Topology& t = machine_.topology();
-    const auto n = static_cast<Eigen::Index>(t.actuators.size());
-    std::vector<mechanics::LimbLine> lines;
-    for (const Actuator& a : t.actuators)
-      lines.push_back(
-          mechanics::limb_line(machine_, t.bodies[static_cast<std::size_t>(t.joints[static_cast<std::size_t>(a.joint)].b)].limb).value());
+    const auto n = static_cast<Eigen::Index>(drives_.size());
+    const auto pushed = [&](const mechanics::Pose& at, const mechanics::DrivePath& d) -> Eigen::Vector3d {
+      if (d.telescope) return centre(at, d.telescope->far) - centre(at, d.telescope->near);
+      if (d.entry.joints.empty()) return machine_.origin(at, d.entry.body);
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (const int j : d.entry.joints) sum += centre(at, j);
+      return sum / static_cast<double>(d.entry.joints.size());
+    };
     const auto numbers = [&](const mechanics::Pose& at) {
       Eigen::VectorXd x(4 * n);
       for (Eigen::Index i = 0; i < n; ++i) {
-        const mechanics::LimbLine& line = lines[static_cast<std::size_t>(i)];
         x(i) = at.numbers[machine_.layout().actuator(static_cast<int>(i))];
-        x.segment<3>(n + 3 * i) = centre(at, line.to) - centre(at, line.from);
+        x.segment<3>(n + 3 * i) = pushed(at, drives_[static_cast<std::size_t>(i)]);
       }
       return x;
     };
@@ -140,12 +149,13 @@ class Values {
       }
       partials.col(c) = (sides[1] - sides[0]) / (2 * step);
     }
-    const Eigen::VectorXd here = numbers(pose);
     const Eigen::MatrixXd moved = partials.bottomRows(3 * n) * partials.topRows(n).inverse();
+    const linear::Matrix6d g = machine_.jacobian(pose).matrix;
     std::vector<double> out;
     for (Eigen::Index i = 0; i < n; ++i) {
-      const Eigen::Vector3d line = here.segment<3>(n + 3 * i), v = moved.col(i).segment<3>(3 * i);
-      out.push_back(std::atan2(line.cross(v).norm(), std::abs(line.dot(v))));
+      const mechanics::DrivePath& d = drives_[static_cast<std::size_t>(i)];
+      const Eigen::Vector3d force = d.telescope ? pushed(pose, d) : Eigen::Vector3d(g.row(i).head<3>()), v = moved.col(i).segment<3>(3 * i);
+      out.push_back(std::atan2(force.cross(v).norm(), std::abs(force.dot(v))));
     }
     return out;
   }
@@ -153,6 +163,7 @@ class Values {
   const Workspace& w_;
   const mechanics::Machine& machine_;
   mechanics::Closure closure_;
+  std::vector<mechanics::DrivePath> drives_;
 };
 
 }  // namespace

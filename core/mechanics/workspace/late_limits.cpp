@@ -4,7 +4,8 @@
 #include <core/linear/types.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/singularity/singularity.hpp>
-#include <core/mechanics/workspace/pressure.hpp>
+#include <core/mechanics/transmission/pressure.hpp>
+#include <core/mechanics/transmission/transmission.hpp>
 #include <core/program/batch.hpp>
 
 #include <Eigen/Eigenvalues>
@@ -14,6 +15,7 @@
 #include <mutex>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 namespace pmreport::mechanics {
 
@@ -67,7 +69,7 @@ class Batches {
 
 struct LateLimits::Work {
   struct Asked {
-    enum class Of { reading, pressure, condition, compliance } of;
+    enum class Of { reading, pressure, condition, transmission, compliance } of;
     double min, max;
     int reading = 0;
     double drive_stiffness = 0;
@@ -83,6 +85,7 @@ struct LateLimits::Work {
   std::vector<Asked> asked = {};
   Batches cosines = {}, wrenches = {};
   double length = 0;
+  std::optional<Transmission> transmission = {};
 
   std::size_t margins() const {
     std::size_t n = 0;
@@ -109,6 +112,11 @@ void LateLimits::add_condition(double min, double max) {
   work_->length = characteristic_length(work_->machine);
   work_->wrenches.of(wrenches_of(work_->machine));
   work_->asked.push_back({Work::Asked::Of::condition, min, max});
+}
+
+void LateLimits::add_transmission(double min, double max) {
+  if (!work_->transmission) work_->transmission.emplace(work_->machine);
+  work_->asked.push_back({Work::Asked::Of::transmission, min, max});
 }
 
 void LateLimits::add_compliance(double drive_stiffness, bool horizontal, double min, double max) {
@@ -158,6 +166,8 @@ void LateLimits::Work::judge(std::size_t count, const double* poses, double* out
 void LateLimits::Work::judge_block(std::size_t count, const double* poses, double* out) {
   const auto n = static_cast<std::size_t>(machine.dof());
   std::vector<double> q(n), rows, inverses;
+  Transmission::Work of_transmission;
+  TransmissionIndices indices;
   if (!wrenches.program().outputs().empty()) {
     rows.resize(36 * count);
     wrenches.run(count, poses, rows.data());
@@ -182,6 +192,9 @@ void LateLimits::Work::judge_block(std::size_t count, const double* poses, doubl
         value = compliance(a, matrix(inverses, k));
       } else if (a.of == Asked::Of::condition) {
         if (const Matrix6d g = matrix(rows, k); g.allFinite()) value = conditioning(machine, g, length).condition();
+      } else if (a.of == Asked::Of::transmission) {
+        for (std::size_t i = 0; i < n; ++i) q[i] = poses[i * count + k];
+        if (transmission->at(q, of_transmission, indices)) value = indices.local;
       } else {
         for (std::size_t i = 0; i < n; ++i) q[i] = poses[i * count + k];
         if (const Pose pose = machine.pose(q); pose.status == PM_OK) value = machine.readings(q, pose)[static_cast<std::size_t>(a.reading)];

@@ -1,4 +1,5 @@
-// Limits on what no program gives, or none over a box of poses: readings of the source, pressure angles, condition numbers.
+// Limits on what no program gives, or none over a box of poses: readings of the source, pressure angles, condition numbers,
+// transmission indices.
 //
 // With J the columns of G^-1 that belong to actuators, t = J r', a wrench W on the platform meets the drives with J^T W, which yield by it
 // over their stiffness k, and the platform with them: the compliance is J J^T / k, and the largest displacement by a force is the largest
@@ -22,6 +23,7 @@ class LateLimits {
   void add_reading(int reading, double min, double max);
   void add_pressure(double min, double max);
   void add_condition(double min, double max);
+  void add_transmission(double min, double max);
   void add_compliance(double drive_stiffness, bool horizontal, double min, double max);
   // Of `count` poses, input i of pose k at [i * count + k]: margin m to [m * count + k], in the order in which they were added. NaN where a
   // number does not exist. May be called by several threads; the machine must live as long.

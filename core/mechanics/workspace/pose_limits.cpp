@@ -1,12 +1,14 @@
 #include <core/mechanics/workspace/pose_limits.hpp>
 
 #include <core/mechanics/machine/joint_words.hpp>
+#include <core/mechanics/machine/limb_line.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/model/joint_motion.hpp>
 #include <core/mechanics/recorded/motion_program.hpp>
+#include <core/mechanics/transmission/pressure.hpp>
+#include <core/mechanics/transmission/transmission_paths.hpp>
 #include <core/mechanics/workspace/late_limits.hpp>
-#include <core/mechanics/workspace/limb_line.hpp>
 #include <core/mechanics/workspace/margin_recorder.hpp>
-#include <core/mechanics/workspace/pressure.hpp>
 #include <core/mechanics/workspace/segments.hpp>
 
 #include <fmt/format.h>
@@ -159,6 +161,10 @@ void add_late(MarginRecorder& margins, LateLimits& late, const Machine& machine,
                      upper);
     late.add_condition(asked.min, asked.max);
   }
+  if (std::holds_alternative<AskedTransmission>(asked.what)) {
+    margins.add_late({Group::transmission, named("transmission"), "local transmission index", "", asked.min, asked.max}, lower, upper);
+    late.add_transmission(asked.min, asked.max);
+  }
   if (const auto* c = std::get_if<AskedCompliance>(&asked.what)) {
     margins.add_late({Group::compliance, named("compliance"), "largest displacement by a force", "m/N", asked.min, asked.max}, lower,
                      upper);
@@ -186,6 +192,8 @@ const char* name_of(PoseLimit::Group group) {
       return "pressure";
     case Group::condition:
       return "condition";
+    case Group::transmission:
+      return "transmission";
     case Group::compliance:
       return "compliance";
   }
@@ -235,6 +243,13 @@ std::optional<std::string> refusal(const Machine& machine, const AskedLimit& ask
     return std::nullopt;
   }
   if (std::holds_alternative<AskedPressure>(asked.what) && !pressure_known(machine, &why)) return why;
+  if (std::holds_alternative<AskedTransmission>(asked.what)) {
+    const TransmissionPaths paths = transmission_paths(machine, characteristic_length(machine));
+    for (std::size_t i = 0; i < paths.drives.size(); ++i)
+      if (!paths.drives[i].no_output.empty())
+        return fmt::format("the local transmission index is not known, for {} has none: {}", machine.topology().actuators[i].name,
+                           paths.drives[i].no_output);
+  }
   return std::nullopt;
 }
 

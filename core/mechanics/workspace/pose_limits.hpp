@@ -18,7 +18,7 @@ constexpr double open_end = std::numeric_limits<double>::infinity();
 
 // A number of the pose between two ends, both included.
 struct PoseLimit {
-  enum class Group { reach, strokes, joints, angles, values, distances, pressure, condition, compliance };
+  enum class Group { reach, strokes, joints, angles, values, distances, pressure, condition, transmission, compliance };
   Group group = Group::reach;
   std::string name;   // "rho1", "A1_deflection", "base cone 1"; of the reach "reach"
   std::string title;  // "length of leg 1"
@@ -49,15 +49,16 @@ struct AskedDistance {  // between limbs as finite segments, of `limbs` among ea
   std::vector<int> limbs, with;
   bool surfaces = false;
 };
-struct AskedPressure {};   // pressure angle of every actuator [rad]
-struct AskedCondition {};  // condition number of G, moments over the characteristic length
+struct AskedPressure {};      // pressure angle of every actuator [rad]
+struct AskedCondition {};     // condition number of G, moments over the characteristic length
+struct AskedTransmission {};  // local transmission index, which the mechanism must have
 struct AskedCompliance {  // largest displacement of the platform's reference point by a force of 1 N there, the drives alone yielding [m/N]
   double drive_stiffness = 0;  // of each, [N/m] or [N m/rad]
   bool horizontal = false;     // the force lies in the base's xy plane
 };
 struct AskedLimit {
   std::string name;  // for the tables; empty: its own. Of a group of values it stands before the name of each
-  std::variant<AskedAngle, AskedValue, AskedDistance, AskedPressure, AskedCondition, AskedCompliance> what;
+  std::variant<AskedAngle, AskedValue, AskedDistance, AskedPressure, AskedCondition, AskedCompliance, AskedTransmission> what;
   double min = -open_end, max = open_end;
   // Of an index: a point of a scan counts only where all orientations that keep the other limits keep this one too.
   bool every = false;
@@ -78,7 +79,7 @@ struct PoseMargins {
   program::Program program;
   std::vector<PoseLimit> limits;    // the reach first
   std::vector<PoseMargin> margins;  // those of the program, then the late ones
-  // What no program gives: readings, pressure angles, condition numbers. As scan::LateMargins.
+  // What no program gives: readings, pressure angles, condition numbers, transmission indices. As scan::LateMargins.
   std::size_t late = 0;
   std::size_t every = 0;  // the last so many of the late ones must hold at every orientation that the others accept
   std::function<void(std::size_t count, const double* poses, double* out)> judge_late;

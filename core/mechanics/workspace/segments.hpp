@@ -1,7 +1,7 @@
 // The distance of two limbs, as segments of a line, for every scalar of the geometry.
 #pragma once
 
-#include <core/mechanics/workspace/limb_line.hpp>
+#include <core/mechanics/machine/limb_line.hpp>
 #include <core/mechanics/workspace/pose_limits.hpp>
 #include <pmreport/scalar.hpp>
 

@@ -40,6 +40,7 @@ struct Needs {
   bool dynamics = false;          // forces in motion
   bool drives = false;            // what drives and motors give; within forces in motion
   bool reactions = false;         // the wrench in every joint; within forces in motion
+  bool transmission = false;      // how well actuators move the platform
   bool stiffness = false;         // deflection, indices of the compliance, frequencies
   bool pictures = false;          // 3D pictures
   bool values_of_others = false;  // quantities of the other sections: made when these are

@@ -85,6 +85,7 @@ Needs& Needs::operator|=(const Needs& more) {
   dynamics |= more.dynamics;
   drives |= more.drives;
   reactions |= more.reactions;
+  transmission |= more.transmission;
   stiffness |= more.stiffness;
   pictures |= more.pictures;
   values_of_others |= more.values_of_others;

@@ -2,7 +2,7 @@
 #include <reports/section/common/words.hpp>
 #include <reports/section/stiffness/stiffness.hpp>
 
-#include <core/mechanics/workspace/limb_line.hpp>
+#include <core/mechanics/machine/limb_line.hpp>
 #include <core/text/text.hpp>
 
 #include <fmt/format.h>

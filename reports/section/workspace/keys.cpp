@@ -2,6 +2,7 @@
 
 #include <core/mechanics/workspace/tool_point.hpp>
 #include <core/scenario/section/keys.hpp>
+#include <reports/section/common/scan_ranges.hpp>
 
 #include <fmt/format.h>
 
@@ -25,57 +26,7 @@ namespace {
 const std::vector<std::string> methods{"proof", "grid", "monte-carlo"};
 const std::vector<std::string> groups{"strokes", "joints"};
 const std::vector<std::string> maps{"condition", "determinant"};
-constexpr double most_values = 1e6;  // of a range
 constexpr std::size_t most_orientations = 1'000'000, most_slices = 12;
-
-// [from, to] or [from, to, how many]; what is wrong is told.
-std::optional<ScanRange> read_range(const Entry& e, int coordinate, const Reading& r) {
-  const Value& v = e.value;
-  scenario::Diagnostics& diagnostics = r.reader.diagnostics();
-  const bool list = v.kind == Value::Kind::array && (v.items.size() == 2 || v.items.size() == 3);
-  if (!list) {
-    if (v.kind != Value::Kind::refused)
-      diagnostics.add(
-          v.place, fmt::format("expected a range of {}, seen {}", e.key, name_of(v)),
-          fmt::format("write {0} = [\"...\", \"...\"], from and to, or {0} = [\"...\", \"...\", 61], of a grid how many values", e.key));
-    return std::nullopt;
-  }
-  const Dimension dimension = parse_unit(r.mechanism.topology->coordinates[static_cast<std::size_t>(coordinate)].unit)->dimension;
-  const auto from = r.reader.quantity(v.items[0], dimension), to = r.reader.quantity(v.items[1], dimension);
-  std::optional<double> count = 0.0;
-  if (v.items.size() == 3) count = r.reader.integer(v.items[2], 1, most_values);
-  if (!from || !to || !count) return std::nullopt;
-  const ScanRange out{coordinate, *from, *to, static_cast<std::size_t>(*count)};
-  if (out.from == out.to && out.count != 1) {
-    diagnostics.add(v.place, fmt::format("expected a range of {}, seen one value at both ends", e.key),
-                    fmt::format("put it into at = {{ {} = ... }}, or give how many values as 1", e.key));
-    return std::nullopt;
-  }
-  if (out.from != out.to && out.count == 1) {
-    diagnostics.add(v.items[2].place, fmt::format("expected 2 or more values between the ends of {}, seen 1", e.key));
-    return std::nullopt;
-  }
-  return out;
-}
-
-std::vector<ScanRange> read_ranges(const Entry& entry, const char* where, const Reading& r) {
-  std::vector<ScanRange> out;
-  const Value* table = table_of(&entry, where, r.reader);
-  if (table == nullptr || !r.mechanism.topology) return out;
-  std::vector<std::string> known;
-  for (const Coordinate& c : r.mechanism.topology->coordinates) known.push_back(c.name);
-  for (const Entry& e : table->entries) {
-    const int i = scenario::index_of(*r.mechanism.topology, e.key);
-    if (i < 0)
-      refuse_coordinate(e.place, e.key, r.mechanism, known, entry.key, r.reader.diagnostics());
-    else if (const auto range = read_range(e, i, r))
-      out.push_back(*range);
-  }
-  if (table->entries.empty())
-    r.reader.diagnostics().add(entry.value.place, fmt::format("expected at least one coordinate in {}, and there is none", entry.key),
-                               fmt::format("write {} = {{ {} = [\"...\", \"...\"] }}", entry.key, known.front()));
-  return out;
-}
 
 void read_methods(const Entry& e, const Reading& r, O& options) {
   options.request.methods.clear();
@@ -100,7 +51,7 @@ void read_groups(const Entry& e, const Reading& r, O& options) {
 void read_orientations(const Entry& e, const Reading& r, O& options) {
   if (!r.mechanism.topology) return;
   if (e.value.kind == Value::Kind::table) {
-    options.request.orientations = read_ranges(e, "section.orientations", r);
+    options.request.orientations = read_scan_ranges(e, "section.orientations", r);
     for (const ScanRange& range : options.request.orientations)
       if (range.count == 0)
         r.reader.diagnostics().add(e.value.place, "expected how many values each orientation takes",
@@ -220,7 +171,8 @@ std::vector<scenario::Key> workspace_keys() {
           keys::of<O>("scan", Shape::values_of("coordinates"),
                       "ranges of the coordinates that are scanned, of a grid with how many values, `{x = [\"-300 mm\", \"300 "
                       "mm\", 61]}`",
-                      "", [](const Entry& e, const Reading& r, O& options) { options.request.scan = read_ranges(e, "section.scan", r); }),
+                      "",
+                      [](const Entry& e, const Reading& r, O& options) { options.request.scan = read_scan_ranges(e, "section.scan", r); }),
           "scan = { x = [\"-300 mm\", \"300 mm\", 61], y = [\"-300 mm\", \"300 mm\", 61] }"),
       keys::of<O>("at", Shape::values_of("coordinates"), "what the other coordinates are held at", "home",
                   [](const Entry& e, const Reading& r, O& options) {
@@ -321,7 +273,7 @@ void complete_workspace(scenario::TableReader& table, const Reading& r, scenario
   const bool proof_alone = request.methods == std::vector{ScanMethod::proof};
   const auto is_index = [](const mechanics::AskedLimit& a) {
     return std::holds_alternative<mechanics::AskedPressure>(a.what) || std::holds_alternative<mechanics::AskedCondition>(a.what) ||
-           std::holds_alternative<mechanics::AskedCompliance>(a.what);
+           std::holds_alternative<mechanics::AskedCompliance>(a.what) || std::holds_alternative<mechanics::AskedTransmission>(a.what);
   };
   if (const Entry* limit = table.find("limit"); limit != nullptr && proof_alone && std::ranges::any_of(request.limits.asked, is_index))
     diagnostics.add(limit->place, "no proof looks at an index, and the section has no other method",

@@ -1,7 +1,7 @@
 // [[section.limit]]: what a pose must keep besides strokes and joints.
 #include <reports/section/workspace/keys.hpp>
 
-#include <core/mechanics/workspace/limb_line.hpp>
+#include <core/mechanics/machine/limb_line.hpp>
 #include <core/scenario/section/keys.hpp>
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t most_limbs = 100;
 constexpr const char* forms =
     "write angle = [1, 2] and against = \"base z\", or value = \"hinge_c1\", or distance = [1, 2, 3], or index = \"pressure\"";
-const std::vector<std::string> indices{"pressure", "condition", "compliance"};
+const std::vector<std::string> indices{"pressure", "condition", "compliance", "transmission"};
 const std::vector<std::string> forces{"any", "horizontal"};
 const std::vector<std::string> directions{"base x",     "base y",     "base z",     "-base x",     "-base y",     "-base z",
                                           "platform x", "platform y", "platform z", "-platform x", "-platform y", "-platform z"};
@@ -75,7 +75,8 @@ std::optional<mechanics::Direction> read_direction(const Value& v, const Reading
 // The dimension of what is limited; nothing, told, where it cannot be known.
 std::optional<Dimension> dimension_of(const mechanics::AskedLimit& asked, const Reading& r) {
   if (std::holds_alternative<mechanics::AskedDistance>(asked.what)) return Dimension{1, 0, 0, 0};
-  if (std::holds_alternative<mechanics::AskedCondition>(asked.what)) return Dimension{};
+  if (std::holds_alternative<mechanics::AskedCondition>(asked.what) || std::holds_alternative<mechanics::AskedTransmission>(asked.what))
+    return Dimension{};
   if (std::holds_alternative<mechanics::AskedCompliance>(asked.what)) return parse_unit("m/N")->dimension;
   if (const auto* value = std::get_if<mechanics::AskedValue>(&asked.what); value != nullptr && r.mechanism.machine != nullptr)
     return parse_unit(mechanics::unit_of_value(*r.mechanism.machine, value->name))->dimension;
@@ -132,6 +133,7 @@ std::optional<mechanics::AskedLimit> read_limit(const Value& content, const Read
     if (!word) return std::nullopt;
     if (*word == 0) out.what = mechanics::AskedPressure{};
     if (*word == 1) out.what = mechanics::AskedCondition{};
+    if (*word == 3) out.what = mechanics::AskedTransmission{};
     if (*word == 2) {
       const auto k = stiffness != nullptr ? reader.quantity(stiffness->value, parse_unit("N/m")->dimension) : std::nullopt;
       if (!k || !(*k > 0)) {
@@ -175,6 +177,11 @@ std::optional<mechanics::AskedLimit> read_limit(const Value& content, const Read
                       : std::holds_alternative<mechanics::AskedPressure>(out.what) ? pi / 2
                                                                                    : std::numeric_limits<double>::infinity();
   const bool is_length = std::holds_alternative<mechanics::AskedDistance>(out.what);
+  if (std::holds_alternative<mechanics::AskedTransmission>(out.what) && (out.max < 0 || out.min > 1)) {
+    reader.diagnostics().add((out.max < 0 ? max : min)->value.place,
+                             "expected an index from 0 to 1, seen one beyond: no pose could keep it");
+    return std::nullopt;
+  }
   if ((std::isfinite(most) || is_length) && (out.max < 0 || out.min > most)) {
     reader.diagnostics().add(
         (out.max < 0 ? max : min)->value.place,
@@ -210,9 +217,10 @@ Shape limit_shape() {
                     "`\"joint_angle\"`, `\"derived\"`, `\"reading\"`"),
        keys::within("distance", limbs, "limbs, as segments, from each other, but those that share a joint"),
        keys::within("to", limbs, "from these instead"), keys::within("surfaces", Shape::boolean(), "less their radii", "`false`"),
-       keys::within("index", Shape::word(indices),
-                    "of every actuator its pressure angle, the condition number of G, or the largest displacement by a force of 1 N with "
-                    "drives that yield"),
+       keys::within(
+           "index", Shape::word(indices),
+           "of every actuator its pressure angle, the condition number of G, the largest displacement by a force of 1 N with drives "
+           "that yield, or the local transmission index"),
        keys::within("drive_stiffness", Shape::quantity(parse_unit("N/m")->dimension), "of every drive, for the compliance"),
        keys::within("force", Shape::word(forces), "which force", "any"),
        keys::within("every_orientation", Shape::boolean(),

@@ -1,6 +1,7 @@
-#include <core/mechanics/workspace/pressure.hpp>
+#include <core/mechanics/transmission/pressure.hpp>
 
-#include <core/mechanics/workspace/limb_line.hpp>
+#include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/transmission/transmission_paths.hpp>
 #include <core/program/derivative.hpp>
 #include <core/program/recorder.hpp>
 #include <pmreport/scalar.hpp>
@@ -10,7 +11,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,44 +18,29 @@ namespace pmreport::mechanics {
 
 namespace {
 
-struct Drive {
-  int near = 0, far = 0;  // joints at its ends
-};
-
-// The drives of all actuators; nothing where one is no telescopic drive.
-std::optional<std::vector<Drive>> drives_of(const Machine& machine, std::string* why) {
+// Outputs: the actuators; of each drive the point whose velocity counts, of a telescopic one its far end from its near one; of each drive
+// its force; then the partials of all of these.
+program::Program motions_of_drives(const Machine& machine, const std::vector<DrivePath>& drives) {
   const Topology& t = machine.topology();
-  std::vector<Drive> out;
-  for (const Actuator& a : t.actuators) {
-    const Joint& slide = t.joints[static_cast<std::size_t>(a.joint)];
-    const int limb = t.bodies[static_cast<std::size_t>(slide.b)].limb;
-    const auto holds = [&](int joint, int body) {
-      const Joint& j = t.joints[static_cast<std::size_t>(joint)];
-      return j.a == body || j.b == body;
-    };
-    const std::optional<LimbLine> line = limb_line(machine, limb);
-    const auto between = [&](int from, int to) { return holds(line->from, from) && holds(line->to, to); };
-    const bool telescopic = slide.kind == JointKind::prismatic && line && limb == t.bodies[static_cast<std::size_t>(slide.a)].limb &&
-                            (between(slide.a, slide.b) || between(slide.b, slide.a));
-    if (!telescopic) {
-      if (why != nullptr) *why = fmt::format("the pressure angle of {} is not known: it is no drive along a limb that is a line", a.name);
-      return std::nullopt;
-    }
-    out.push_back({line->from, line->to});
-  }
-  return out;
-}
-
-// Outputs: the actuators, then the line of each drive, from its near end to its far one, then the partials of all of these.
-program::Program motions_of_drives(const Machine& machine, const std::vector<Drive>& drives) {
   const Layout& layout = machine.layout();
   program::Recorder recorder(*machine.program());
   const auto at = [&](std::size_t first) { return recorder.output(static_cast<int>(first)); };
+  const auto centres = [&](const BodyPoint& point, std::size_t x) {
+    if (point.joints.empty()) return at(layout.body(point.body) + x);
+    Recorded sum(0.0);
+    for (const int j : point.joints) sum += at(layout.joint(j) + x);
+    return sum;  // as many times the mean, which no angle tells apart
+  };
+  const auto point = [&](const DrivePath& d, std::size_t x) {
+    return d.telescope ? at(layout.joint(d.telescope->far) + x) - at(layout.joint(d.telescope->near) + x) : centres(d.entry, x);
+  };
   std::vector<Recorded> outputs;
   for (std::size_t i = 0; i < drives.size(); ++i) outputs.push_back(at(layout.actuator(static_cast<int>(i))));
-  for (const Drive& d : drives)
-    for (std::size_t x = 0; x < 3; ++x) outputs.push_back(at(layout.joint(d.far) + x) - at(layout.joint(d.near) + x));
-  std::vector<int> by(static_cast<std::size_t>(machine.dof()));
+  for (const DrivePath& d : drives)
+    for (std::size_t x = 0; x < 3; ++x) outputs.push_back(point(d, x));
+  for (std::size_t i = 0; i < drives.size(); ++i)
+    for (std::size_t x = 0; x < 3; ++x) outputs.push_back(drives[i].telescope ? point(drives[i], x) : at(layout.size() + 6 * i + x));
+  std::vector<int> by(t.coordinates.size());
   std::iota(by.begin(), by.end(), 0);
   return program::partials(recorder.finish(outputs), by);
 }
@@ -96,13 +81,22 @@ class Minors {
 
 }  // namespace
 
-bool pressure_known(const Machine& machine, std::string* why) { return drives_of(machine, why).has_value(); }
+bool pressure_known(const Machine& machine, std::string* why) {
+  const TransmissionPaths paths = transmission_paths(machine, characteristic_length(machine));
+  for (std::size_t i = 0; i < paths.drives.size(); ++i)
+    if (!paths.drives[i].no_pressure.empty()) {
+      if (why != nullptr)
+        *why = fmt::format("the pressure angle of {} is not known: {}", machine.topology().actuators[i].name, paths.drives[i].no_pressure);
+      return false;
+    }
+  return true;
+}
 
 program::Program squared_pressure_cosines(const Machine& machine) {
-  const std::vector<Drive> drives = drives_of(machine, nullptr).value();
+  const std::vector<DrivePath> drives = transmission_paths(machine, characteristic_length(machine)).drives;
   const program::Program motions = motions_of_drives(machine, drives);
   program::Recorder recorder(motions);
-  const std::size_t n = drives.size(), values = 4 * n;
+  const std::size_t n = drives.size(), values = 7 * n;
   const auto partial = [&](std::size_t o, std::size_t by) { return recorder.output(static_cast<int>(values + o * n + by)); };
   std::vector<std::vector<Recorded>> rates(n);
   for (std::size_t i = 0; i < n; ++i)
@@ -110,16 +104,16 @@ program::Program squared_pressure_cosines(const Machine& machine) {
   Minors minors(std::move(rates));
   std::vector<Recorded> outputs;
   for (std::size_t i = 0; i < n; ++i) {
-    Vector3<Recorded> line, v;
+    Vector3<Recorded> force, v;
     for (std::size_t x = 0; x < 3; ++x) {
       const std::size_t o = n + 3 * i + x;
       Recorded sum(0.0);
       for (std::size_t c = 0; c < n; ++c) sum += partial(o, c) * minors.cofactor(i, c);
-      line(static_cast<Eigen::Index>(x)) = recorder.output(static_cast<int>(o));
+      force(static_cast<Eigen::Index>(x)) = recorder.output(static_cast<int>(o + 3 * n));
       v(static_cast<Eigen::Index>(x)) = sum;
     }
     // Where v is zero, so is the numerator.
-    const Recorded along = line.dot(v), lengths = line.dot(line) * v.dot(v);
+    const Recorded along = force.dot(v), lengths = force.dot(force) * v.dot(v);
     outputs.push_back(along * along / larger(lengths, Recorded(std::numeric_limits<double>::min())));
   }
   return recorder.finish(outputs);

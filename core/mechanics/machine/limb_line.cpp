@@ -1,4 +1,4 @@
-#include <core/mechanics/workspace/limb_line.hpp>
+#include <core/mechanics/machine/limb_line.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -91,6 +91,48 @@ std::optional<LimbLine> limb_line(const Machine& machine, int limb, std::string*
         s.b.head<2>().isZero(on_the_line))
       out.radius = std::max(out.radius, s.radius);
   return out;
+}
+
+namespace {
+
+// Of a slide whose bodies hold one joint more each.
+std::optional<TelescopicDrive> lone_telescope(const Machine& machine, int slide) {
+  const Topology& t = machine.topology();
+  const auto beyond = [&](int body) {
+    int found = -1;
+    for (std::size_t j = 0; j < t.joints.size(); ++j) {
+      if (static_cast<int>(j) == slide || (t.joints[j].a != body && t.joints[j].b != body)) continue;
+      if (found >= 0) return -1;
+      found = static_cast<int>(j);
+    }
+    return found;
+  };
+  const Joint& joint = t.joints[static_cast<std::size_t>(slide)];
+  const TelescopicDrive out{beyond(joint.a), beyond(joint.b)};
+  if (joint.a == 0 || joint.b == 0 || joint.a == t.platform || joint.b == t.platform || out.near < 0 || out.far < 0) return std::nullopt;
+  const Pose& home = machine.home_pose();
+  const Eigen::Vector3d along = machine.centre(home, out.far) - machine.centre(home, out.near);
+  if (!(along.norm() > 0) || along.cross(machine.axis(home, slide)).norm() > on_the_line * along.norm()) return std::nullopt;
+  return out;
+}
+
+}  // namespace
+
+std::optional<TelescopicDrive> telescopic_drive(const Machine& machine, int actuator) {
+  const Topology& t = machine.topology();
+  const int slide = t.actuators[static_cast<std::size_t>(actuator)].joint;
+  const Joint& joint = t.joints[static_cast<std::size_t>(slide)];
+  if (joint.kind != JointKind::prismatic) return std::nullopt;
+  const int limb = t.bodies[static_cast<std::size_t>(joint.b)].limb;
+  const auto holds = [&](int other, int body) {
+    const Joint& j = t.joints[static_cast<std::size_t>(other)];
+    return j.a == body || j.b == body;
+  };
+  const std::optional<LimbLine> line = limb_line(machine, limb);
+  const auto between = [&](int from, int to) { return holds(line->from, from) && holds(line->to, to); };
+  if (line && limb == t.bodies[static_cast<std::size_t>(joint.a)].limb && (between(joint.a, joint.b) || between(joint.b, joint.a)))
+    return TelescopicDrive{line->from, line->to};
+  return lone_telescope(machine, slide);
 }
 
 bool adjacent(const Machine& machine, const LimbLine& a, const LimbLine& b) {

@@ -23,6 +23,14 @@ struct LimbLine {
 std::optional<LimbLine> limb_line(const Machine& machine, int limb, std::string* why = nullptr);
 int limbs_of(const Topology& topology);  // how many there are: the largest number
 
+// A drive that pushes along the line between two joints: a slide between one at its near end, towards the base, and one at its far end.
+struct TelescopicDrive {
+  int near = 0, far = 0;  // joints
+};
+// Of an actuator whose slide is that of its limb's line, or of a chain of its own within a limb: each of the two bodies that slide on one
+// another holds one joint more, and both centres lie on the slide's axis at home. Nothing of any other drive.
+std::optional<TelescopicDrive> telescopic_drive(const Machine& machine, int actuator);
+
 // They share a joint, or end in joints whose centres meet at home: no distance is asked between them.
 bool adjacent(const Machine& machine, const LimbLine& a, const LimbLine& b);
 
