@@ -65,8 +65,8 @@ TEST_CASE("a broken plugin is refused with path, expected and seen") {
   const auto c = GENERATE(values<Case>({
       {"no_symbol", "the exported data symbol 'pm_plugin'", "a library without it"},
       {"function_symbol", "the exported data symbol 'pm_plugin'", "a symbol of that name that is not data"},
-      {"older_major", "a plugin for ABI 1.x", "0.3; build the plugin again"},
-      {"newer_major", "a plugin for ABI 1.x", "2.3; use a pmreport as new as the plugin"},
+      {"older_major", "a plugin for ABI 1.x", "0.4; build the plugin again"},
+      {"newer_major", "a plugin for ABI 1.x", "2.4; use a pmreport as new as the plugin"},
       {"short_table", "a plugin table of at least 40 bytes", "24"},
       {"no_mechanisms", "at least one mechanism", "none"},
       {"null_mechanisms", "a table of mechanisms", "a null pointer"},
