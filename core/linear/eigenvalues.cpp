@@ -24,6 +24,10 @@ SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& m) {
   return {parts.eigenvalues(), parts.eigenvectors()};
 }
 
+Eigen::VectorXd symmetric_eigenvalues_of(const Eigen::MatrixXd& m) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
 Eigen::MatrixXd stationary_vectors(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   PMREPORT_ASSERT(a.rows() == b.rows(), "both forms are of the same vectors");
   return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(a, b).eigenvectors();

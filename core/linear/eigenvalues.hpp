@@ -20,6 +20,8 @@ struct SymmetricEigen {
 };
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& m);
 
+Eigen::VectorXd symmetric_eigenvalues_of(const Eigen::MatrixXd& m);  // smallest first
+
 // All x with a x = s b x, a symmetric and b symmetric and positive definite: columns by rising s, with x^T b x = 1. They are where
 // x^T a x / x^T b x is stationary.
 Eigen::MatrixXd stationary_vectors(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);

@@ -192,6 +192,38 @@ TEST_CASE("on every mechanism the force method equals one system over all bodies
   }
 }
 
+// All bodies as one system: flexibility F of every body under every load on any, M their mass matrices, (F M) u = u / omega^2.
+TEST_CASE("natural frequencies are those of all masses on the one system over all bodies") {
+  std::mt19937_64 random(20261201);
+  for (const test::Named& each : test::every_mechanism()) {
+    const Machine& m = *each.machine;
+    if (m.topology().elements.empty()) continue;
+    const VectorXd q = test::random_motion(m, random).q;
+    CAPTURE(each.name, q.transpose());
+    Elastostatics statics(m);
+    const ElasticPose at = statics.at(q, Vector6d::Zero(), Vector3d::Zero(), everything);
+    REQUIRE(at.known);
+    const State state = state_at_rest(m, q);
+    const auto n = 6 * (static_cast<Eigen::Index>(state.bodies.size()) - 1);
+    MatrixXd mass = MatrixXd::Zero(n, n);
+    for (std::size_t b = 1; b < state.bodies.size(); ++b) {
+      Inertia inertia = m.topology().bodies[b].inertia;
+      if (m.topology().bodies[b].slender) inertia.about_centre(2, 2) = 0;  // an idle spin is nobody's
+      mass.block<6, 6>(6 * static_cast<Eigen::Index>(b) - 6, 6 * static_cast<Eigen::Index>(b) - 6) = mass_matrix(inertia, state.bodies[b]);
+    }
+    const MatrixXd flexible = WholeSystem(statics.plan(), state).displacements(mass);  // F M
+    Eigen::VectorXd values = flexible.eigenvalues().real();
+    std::sort(values.begin(), values.end(), std::greater<>());
+    const auto modes = whole_modes(at, 6);
+    REQUIRE(modes.size() == 6);
+    for (std::size_t k = 0; k < 6; ++k) {
+      CHECK(modes[k].frequency == Approx(1 / (2 * pi * std::sqrt(values(static_cast<Eigen::Index>(k))))).epsilon(1e-7));
+      // The shape under its own inertia is itself: A y = y / omega^2, and of unit kinetic energy in all masses.
+      CHECK(modes[k].masses.norm() == Approx(1));
+    }
+  }
+}
+
 TEST_CASE("a compliance is symmetric, and its energy never negative") {
   for (const test::Named& each : test::every_mechanism()) {
     CAPTURE(each.name);

@@ -12,14 +12,16 @@ void add(std::vector<Column>& out, OfStiffness what, const char* unit, const cha
 
 void add_of_beams(std::vector<Column>& out, const Topology& t, OfElement what, const char* unit, const char* words) {
   for (const Element& e : t.elements)
-    if (e.kind == ElementKind::beam) out.push_back({column_of(e, what).name(), unit, "beam_" + word_of(what), fmt::format("{} of {}", words, e.name)});
+    if (e.kind == ElementKind::beam)
+      out.push_back({column_of(e, what).name(), unit, "beam_" + word_of(what), fmt::format("{} of {}", words, e.name)});
 }
 
 }  // namespace
 
 std::vector<Column> stiffness_columns(const Topology& t) {
   std::vector<Column> out;
-  for (const auto& [vector, unit, words] : {std::tuple{OfPlatform::deflection, "m", "deflection"}, {OfPlatform::deflection_turn, "rad", "turn by deflection"}})
+  for (const auto& [vector, unit, words] :
+       {std::tuple{OfPlatform::deflection, "m", "deflection"}, {OfPlatform::deflection_turn, "rad", "turn by deflection"}})
     for (std::size_t axis = 0; axis < 3; ++axis)
       out.push_back({column_of(vector, axis).name(), unit, word_of(vector), fmt::format("{} of the tool, {}", words, "xyz"[axis])});
   add(out, OfStiffness::deflection_size, "m", "deflection_size", "size of the deflection");
@@ -38,7 +40,8 @@ std::vector<Column> stiffness_columns(const Topology& t) {
   add(out, OfStiffness::pT_min, "1/N", "pT", "smallest translation by a unit moment, rotation by a unit force");
   add(out, OfStiffness::PhiT_max, "rad/N/m", "PhiT", "largest rotation by a unit moment");
   add(out, OfStiffness::PhiT_min, "rad/N/m", "PhiT", "smallest rotation by a unit moment");
-  for (int mode = 1; mode <= 6; ++mode) out.push_back({frequency_column(mode).name(), "Hz", "frequency", fmt::format("natural frequency {}", mode)});
+  for (int mode = 1; mode <= 6; ++mode)
+    out.push_back({frequency_column(mode).name(), "Hz", "frequency", fmt::format("natural frequency {}", mode)});
   return out;
 }
 

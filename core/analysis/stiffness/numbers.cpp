@@ -16,7 +16,8 @@ const StiffnessRequest* stiffness_request(const scenario::Scenario& scenario) {
 }
 
 ToolElasticity at_tool(const Machine& machine, const ElasticPose& pose, const double* placement, const StiffnessRequest& request) {
-  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> r(placement + machine.layout().body(machine.topology().platform) + 3);
+  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> r(placement + machine.layout().body(machine.topology().platform) +
+                                                                         3);
   const Eigen::Matrix3d axes = request.platform_axes ? Eigen::Matrix3d(r) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
   ToolElasticity out{mechanics::to_tool(r * request.tool, axes), {}, {}, {}, {}, {}, {}};
   const Matrix6d back = out.to_tool.transpose();
@@ -29,14 +30,23 @@ ToolElasticity at_tool(const Machine& machine, const ElasticPose& pose, const do
   return out;
 }
 
+std::vector<double> frequencies(const ElasticPose& pose, bool limb_inertia, double length) {
+  std::vector<double> out;
+  if (limb_inertia)
+    for (const mechanics::WholeMode& m : mechanics::whole_modes(pose, told_frequencies, false)) out.push_back(m.frequency);
+  else
+    for (const mechanics::Mode& m : mechanics::modes(pose.compliance, pose.platform_inertia, length)) out.push_back(m.frequency);
+  return out;
+}
+
 void stiffness_numbers(const Machine& machine, const ElasticPose& pose, const ToolElasticity& tool, const StiffnessRequest& request,
                        double length, bool loaded, const std::function<void(const ColumnId&, double)>& put) {
   const mechanics::DeformationIndices i = mechanics::deformation_indices(tool.compliance);
   put(column_of(OfStiffness::pF_max), i.pF_max), put(column_of(OfStiffness::pF_min), i.pF_min);
   put(column_of(OfStiffness::pT_max), i.pT_max), put(column_of(OfStiffness::pT_min), i.pT_min);
   put(column_of(OfStiffness::PhiT_max), i.PhiT_max), put(column_of(OfStiffness::PhiT_min), i.PhiT_min);
-  const auto all = mechanics::modes(pose.compliance, request.limb_inertia ? pose.inertia : pose.platform_inertia, length);
-  for (std::size_t m = 0; m < all.size(); ++m) put(frequency_column(static_cast<int>(m) + 1), all[m].frequency);
+  const std::vector<double> all = frequencies(pose, request.limb_inertia, length);
+  for (std::size_t m = 0; m < all.size(); ++m) put(frequency_column(static_cast<int>(m) + 1), all[m]);
   if (!loaded) return;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     put(column_of(OfPlatform::deflection, axis), tool.deflection(static_cast<Eigen::Index>(axis)));

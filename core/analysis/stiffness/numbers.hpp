@@ -19,6 +19,10 @@ struct ToolElasticity {
 ToolElasticity at_tool(const mechanics::Machine& machine, const mechanics::ElasticPose& pose, const double* placement,
                        const StiffnessRequest& request);
 
+// Natural frequencies [Hz], lowest first, at most so many: of the whole machine, or of the platform on massless limbs.
+constexpr int told_frequencies = 6;
+std::vector<double> frequencies(const mechanics::ElasticPose& pose, bool limb_inertia, double length);
+
 // Hands every number of `pose` to `put` under its column's name (stiffness_columns); what the pose does not have is left out. `length`:
 // characteristic length [m]; `loaded`: there are loads.
 void stiffness_numbers(const mechanics::Machine& machine, const mechanics::ElasticPose& pose, const ToolElasticity& tool,

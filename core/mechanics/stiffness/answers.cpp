@@ -109,6 +109,30 @@ std::vector<Mode> modes(const Matrix6d& compliance, const Matrix6d& inertia, dou
   return out;
 }
 
+// A y = y / omega^2; the masses load the machine with omega^2 y, and the platform moves by omega^2 D y, D its displacements by each mass.
+std::vector<WholeMode> whole_modes(const ElasticPose& pose, int most, bool shapes) {
+  std::vector<WholeMode> out;
+  const Index n = pose.flexibility.rows();
+  if (n == 0) return out;
+  linear::SymmetricEigen parts;
+  if (shapes)
+    parts = linear::symmetric_eigen(pose.flexibility);
+  else
+    parts.values = linear::symmetric_eigenvalues_of(pose.flexibility);
+  for (Index i = n; i-- > 0 && static_cast<int>(out.size()) < most;) {
+    if (!(parts.values(i) > rigid_share * parts.values(n - 1))) break;  // held rigidly
+    WholeMode mode;
+    mode.frequency = 1 / (2 * std::numbers::pi * std::sqrt(parts.values(i)));
+    mode.shape.setZero();
+    if (shapes) {
+      mode.masses = parts.vectors.col(i);
+      mode.shape = pose.by_mass * mode.masses / parts.values(i);
+    }
+    out.push_back(std::move(mode));
+  }
+  return out;
+}
+
 std::vector<double> shares(const ElasticPose& pose, std::size_t elements, const Vector6d& along, const VectorXd& forces, bool strained) {
   std::vector<double> out(elements + 1, 0.0);
   const VectorXd q = pose.unit * along;

@@ -43,6 +43,13 @@ struct Mode {
 };
 std::vector<Mode> modes(const Matrix6d& compliance, const Matrix6d& inertia, double length);
 
+// Free vibration of the whole machine, limbs as they swing by themselves included: by (6), lowest first, `most` of them at most. The pose
+// was solved with limb inertia. Without `shapes` frequencies alone, for a part of the time.
+struct WholeMode : Mode {
+  Eigen::VectorXd masses;  // amplitude of every mass column, mass-weighted, of length 1
+};
+std::vector<WholeMode> whole_modes(const ElasticPose& pose, int most, bool shapes = true);
+
 // Shares of the elements in the displacement along a unit wrench e: e . d = sum of q_e (c q + q_0), by element of the topology; the last is
 // that of base and platform. `forces`: of the springs, and `strained` whether q_0 counts.
 std::vector<double> shares(const ElasticPose& pose, std::size_t elements, const Vector6d& along, const Eigen::VectorXd& forces,

@@ -14,11 +14,11 @@ class ElasticSplit {
   // The machine has elements; without them nothing is settled.
   bool any() const { return !plan_.machine().topology().elements.empty(); }
 
-  // Pose k of `count` of `reactions`, which are least-norm. `placement`: its plain numbers, scalar s at [s * stride]. `joints`: the reactions,
-  // to which the elastic self-stress is added.
+  // Pose k of `count` of `reactions`, which are least-norm. `placement`: its plain numbers, scalar s at [s * stride]. `joints`: the
+  // reactions, to which the elastic self-stress is added.
   struct Answer {
-    int settled = 0;                              // self-stresses
-    std::vector<std::vector<Vector6d>> open;      // those that no element settles, as JointReactions::stresses
+    int settled = 0;                          // self-stresses
+    std::vector<std::vector<Vector6d>> open;  // those that no element settles, as JointReactions::stresses
   };
   Answer add(const double* placement, std::size_t stride, const MotionReactions& reactions, std::size_t k, std::size_t count,
              const Vector6d& load, std::vector<Vector6d>& joints);

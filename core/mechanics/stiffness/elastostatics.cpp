@@ -121,18 +121,14 @@ Elastostatics::Elastostatics(const Machine& machine) : machine_(machine), plan_(
   placement_.resize(machine.layout().size());
 }
 
-// Cases of one pose, side by side: unit wrenches on the platform; the weights at rest; the whole motion; then unit motions of the limbs'
+// Cases of one pose, side by side: unit wrenches on the platform; the weights at rest; the whole motion; then unit motions of all
 // masses, whose forces are the columns of a square root of each mass matrix.
-void Elastostatics::load_bodies(const Vector3d& gravity, const Wanted& wanted) {
+void Elastostatics::load_bodies(const Vector3d& gravity, const Wanted& wanted, std::vector<ElasticPose::Mass>& masses) {
   const Topology& t = machine_.topology();
   const double* at = placement_.data();
   const Layout& layout = machine_.layout();
   const Vector3d origin(at + layout.body(t.platform));
-  struct Column {
-    std::size_t body;
-    Vector6d wrench;  // about the platform's reference point
-  };
-  std::vector<Column> masses;
+  masses.clear();
   std::vector<Vector6d> weights(t.bodies.size() - 1, Vector6d::Zero());
   for (std::size_t b = 1; b < t.bodies.size(); ++b) {
     const Inertia& inertia = t.bodies[b].inertia;
@@ -147,20 +143,21 @@ void Elastostatics::load_bodies(const Vector3d& gravity, const Wanted& wanted) {
     const Vector3d p_OC = Vector3d(body) + r * inertia.centre - origin;
     const auto wrench = [&](const Vector3d& force) { return (Vector6d() << force, p_OC.cross(force)).finished(); };
     weights[b - 1] = wrench(inertia.mass * gravity);
-    if (!wanted.limb_inertia || static_cast<int>(b) == t.platform) continue;
+    if (!wanted.limb_inertia) continue;
+    const int which = static_cast<int>(b);
     if (inertia.mass > 0)
-      for (int k = 0; k < 3; ++k) masses.push_back({b - 1, wrench(std::sqrt(inertia.mass) * Vector3d::Unit(k))});
+      for (int k = 0; k < 3; ++k) masses.push_back({which, wrench(std::sqrt(inertia.mass) * Vector3d::Unit(k))});
     const Eigen::Matrix3d& about = inertia.about_centre;
     if (about.isZero(0)) continue;
     if (about.isDiagonal(1e-15)) {  // of a slender body the spin is nobody's
       for (int k = 0; k < (t.bodies[b].slender ? 2 : 3); ++k)
-        if (about(k, k) > 0) masses.push_back({b - 1, (Vector6d() << Vector3d::Zero(), std::sqrt(about(k, k)) * r.col(k)).finished()});
+        if (about(k, k) > 0) masses.push_back({which, (Vector6d() << Vector3d::Zero(), std::sqrt(about(k, k)) * r.col(k)).finished()});
     } else {
       MatrixXd dense = about;
       const linear::SymmetricEigen parts = linear::symmetric_eigen(dense);
       for (int k = 0; k < 3; ++k)
         if (parts.values(k) > 0)
-          masses.push_back({b - 1, (Vector6d() << Vector3d::Zero(), std::sqrt(parts.values(k)) * (r * parts.vectors.col(k))).finished()});
+          masses.push_back({which, (Vector6d() << Vector3d::Zero(), std::sqrt(parts.values(k)) * (r * parts.vectors.col(k))).finished()});
     }
   }
   const std::size_t first = wanted.loads ? unit_cases + 2 : unit_cases, bodies = t.bodies.size() - 1;
@@ -172,7 +169,7 @@ void Elastostatics::load_bodies(const Vector3d& gravity, const Wanted& wanted) {
   for (std::size_t c = 0; c < unit_cases; ++c) put(static_cast<std::size_t>(t.platform - 1), c, Vector6d::Unit(static_cast<Index>(c)));
   if (wanted.loads)
     for (std::size_t b = 0; b < bodies; ++b) put(b, unit_cases, weights[b]), put(b, unit_cases + 1, weights[b]);
-  for (std::size_t i = 0; i < masses.size(); ++i) put(masses[i].body, first + i, masses[i].wrench);
+  for (std::size_t i = 0; i < masses.size(); ++i) put(static_cast<std::size_t>(masses[i].body - 1), first + i, masses[i].wrench);
 }
 
 void Elastostatics::solve_one(const double* jets, std::size_t stride, const Vector6d& load, const Vector3d& gravity, const Wanted& wanted,
@@ -183,7 +180,7 @@ void Elastostatics::solve_one(const double* jets, std::size_t stride, const Vect
   VectorXd q(machine_.dof());
   for (std::size_t i = 0; i < dof; ++i) q(static_cast<Index>(i)) = jets[3 * i * stride];
   if (machine_.place(PM_VALUE, 1, q.data(), placement_.data()) != PM_OK) return;
-  load_bodies(gravity, wanted);
+  load_bodies(gravity, wanted, out.masses);
   const std::size_t whole = unit_cases + 1;
   jets_.assign(3 * dof * cases_, 0.0);
   for (std::size_t i = 0; i < dof; ++i) {
@@ -242,9 +239,16 @@ void Elastostatics::solve_one(const double* jets, std::size_t stride, const Vect
   platform.rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(body + 3);
   const Matrix6d mass = mass_matrix(t.bodies[static_cast<std::size_t>(t.platform)].inertia, platform);
   out.platform_inertia = out.compliance * mass * out.compliance;
-  const Index first = wanted.loads ? static_cast<Index>(whole) + 1 : static_cast<Index>(unit_cases);
-  const MatrixXd shapes = weighted.transpose() * forces.rightCols(forces.cols() - first);
-  out.inertia = out.platform_inertia + shapes * shapes.transpose();
+  out.inertia = out.platform_inertia;
+  if (wanted.limb_inertia) {
+    const MatrixXd masses = forces.rightCols(static_cast<Index>(out.masses.size()));
+    const MatrixXd loaded = masses + stresses * settled(springs, stresses, masses, false).shares;
+    const MatrixXd rooted = c.cwiseSqrt().asDiagonal() * loaded;
+    out.flexibility.setZero(rooted.cols(), rooted.cols());
+    out.flexibility.selfadjointView<Eigen::Lower>().rankUpdate(rooted.transpose());
+    out.by_mass = weighted.transpose() * loaded;
+    out.inertia = out.by_mass * out.by_mass.transpose();
+  }
   out.known = true;
 }
 

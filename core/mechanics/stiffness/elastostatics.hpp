@@ -15,7 +15,10 @@
 // The inertia that goes with these displacements: a body moves by u = U w under unit wrenches, and by (4), Maxwell and Betti, a load f on
 // the body gives f . u = q_f . C Q w, q_f any forces that balance f. Kinetic energy in the shapes of the six unit wrenches is then
 //     M = sum over the bodies of U^T M_b U                                         (5)
-// (Guyan's reduction: bodies follow the platform as they do statically).
+// (Guyan's reduction: bodies follow the platform as they do statically), which makes frequencies too high where limbs swing by themselves.
+// Nothing is left out when the masses load each other: with the columns f_k of square roots of all mass matrices as loads on their bodies,
+//     A_kl = Q(f_k) . C Q(f_l)                                                     (6)
+// is the flexibility between all masses, mass-weighted, and its eigenvalues are 1 / omega^2 of the whole machine.
 #pragma once
 
 #include <core/mechanics/reactions/inverse_dynamics.hpp>
@@ -34,12 +37,19 @@ struct ElasticPose {
   Matrix6d compliance = Matrix6d::Zero();         // (3)
   Vector6d deflection = Vector6d::Zero();         // under load, weights and inertia
   Vector6d by_load = Vector6d::Zero(), by_weights = Vector6d::Zero(), by_inertia = Vector6d::Zero();  // its shares
-  Vector6d by_strain = Vector6d::Zero();         // of temperature and misfits, no part of it
-  Eigen::VectorXd forces;                        // in the springs under load, weights, inertia and strain
-  Eigen::VectorXd loaded;  // the same without strain: what deflects
-  Matrix6d inertia = Matrix6d::Zero();           // (5), by wrenches: with the platform's, and that of the limbs where it was asked for
-  Matrix6d platform_inertia = Matrix6d::Zero();  // (5) of the platform alone
-  int settled = 0, open = 0;                     // self-stresses that the elements settle, and that they leave open
+  Vector6d by_strain = Vector6d::Zero();  // of temperature and misfits, no part of it
+  Eigen::VectorXd forces;                 // in the springs under load, weights, inertia and strain
+  Eigen::VectorXd loaded;                 // the same without strain: what deflects
+  Matrix6d inertia = Matrix6d::Zero();    // (5), by wrenches: of all bodies where limb inertia was asked for, else the platform's
+  struct Mass {                           // a column of a square root of a mass matrix, as a load
+    int body;
+    Vector6d wrench;  // about the platform's reference point
+  };
+  std::vector<Mass> masses;                          // of all bodies, where limb inertia was asked for
+  Eigen::MatrixXd flexibility;                       // (6), of these: its lower triangle
+  Eigen::Matrix<double, 6, Eigen::Dynamic> by_mass;  // the platform's displacement by each
+  Matrix6d platform_inertia = Matrix6d::Zero();      // (5) of the platform alone
+  int settled = 0, open = 0;                         // self-stresses that the elements settle, and that they leave open
 };
 
 // Forces in the springs of one pose, a column a case, by the joints' wrenches without actuators' forces, number i of case k at
@@ -54,7 +64,7 @@ class Elastostatics {
 
   struct Wanted {
     bool loads = true;         // deflections and forces; else compliance and inertia alone
-    bool limb_inertia = true;  // in (5)
+    bool limb_inertia = true;  // (5) and (6) of all bodies
   };
   // As InverseDynamics::solve. Keeps buffers: one object a thread.
   void solve(std::size_t count, const double* jets, const double* loads, const Eigen::Vector3d& gravity, const Wanted& wanted,
@@ -67,7 +77,7 @@ class Elastostatics {
  private:
   void solve_one(const double* jets, std::size_t stride, const Vector6d& load, const Eigen::Vector3d& gravity, const Wanted& wanted,
                  ElasticPose& out);
-  void load_bodies(const Eigen::Vector3d& gravity, const Wanted& wanted);
+  void load_bodies(const Eigen::Vector3d& gravity, const Wanted& wanted, std::vector<ElasticPose::Mass>& masses);
 
   const Machine& machine_;
   SpringPlan plan_;

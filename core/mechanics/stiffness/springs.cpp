@@ -40,6 +40,9 @@ struct Reader {
 Vector6d force_along(const Vector3d& e) { return (Vector6d() << e, Vector3d::Zero()).finished(); }
 Vector6d moment_along(const Vector3d& e, const Vector3d& p_PC) { return (Vector6d() << e.cross(p_PC), e).finished(); }
 
+// Of a beam's length: no stretch, but rounding of where two joints at its end lie along it.
+constexpr double sliver = 1e-9;
+
 double per(double stiffness) { return std::isinf(stiffness) ? 0 : 1 / stiffness; }
 
 // A compliance matrix, symmetric and not negative, as springs of unit wrenches.
@@ -162,13 +165,13 @@ void SpringPlan::at(const double* placement, std::size_t stride, AtPose& out) co
           passed.push_back(*events[other].joint);
           if (behind_mass) passed.back().sign *= -1;
         }
-        if (end > begin) stretch(begin, end, passed);
+        if (end - begin > sliver * length) stretch(begin, end, passed);
         begin = end;
         behind_mass = behind_mass || events[i].joint == nullptr;
       }
     }
     passed.assign(1, b.chain.back());
-    if (length > begin) stretch(begin, length, passed);
+    if (length - begin > sliver * length) stretch(begin, length, passed);
   }
 
   for (std::size_t i = 0; i < t.elements.size(); ++i) {

@@ -50,7 +50,8 @@ WholeSystem::WholeSystem(const SpringPlan& plan, const State& state) : platform_
     for (int k = s.first; k < s.first + s.terms; ++k) {
       const SpringTerm& term = parts.terms[static_cast<std::size_t>(k)];
       for (Index r = 0; r < rows; ++r)
-        if (model.joint_of_row[static_cast<std::size_t>(r)] == term.joint) by_multiplier(i, r) += term.g.dot(wrench_of_row(t, state, model, r));
+        if (model.joint_of_row[static_cast<std::size_t>(r)] == term.joint)
+          by_multiplier(i, r) += term.g.dot(wrench_of_row(t, state, model, r));
       if (term.actuator < 0) continue;
       const Vector3d& axis = state.joints[static_cast<std::size_t>(term.joint)].axis[0];
       const bool linear = t.actuators[static_cast<std::size_t>(term.actuator)].sense() == Sense::linear;

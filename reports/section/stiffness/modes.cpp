@@ -79,15 +79,28 @@ Stage::Ordered mode_picture(const Analysis& a, const StiffnessRequest& request, 
                             std::size_t number) {
   static const View isometric{"isometric", std::numbers::pi / 4, std::atan(1 / std::numbers::sqrt2)};
   const mechanics::Machine& m = a.machine();
-  const auto all =
-      mechanics::modes(view.pose.compliance, request.limb_inertia ? view.pose.inertia : view.pose.platform_inertia, a.length());
-  const mechanics::Mode& mode = all.front();
-  const mechanics::State state = state_at_rest(m, view.q);
-  // The wrench on the platform that bends the machine into the shape; of the shapes of unit wrenches, that sum.
-  const Eigen::MatrixXd shapes = mechanics::WholeSystem(mechanics::SpringPlan(m), state).under_unit_wrenches();
-  const mechanics::Vector6d wrench = view.pose.compliance.completeOrthogonalDecomposition().solve(mode.shape);
-  Eigen::VectorXd u = shapes * wrench;
   const mechanics::Pose pose = m.pose({view.q.data(), static_cast<std::size_t>(view.q.size())});
+  const mechanics::WholeSystem system(mechanics::SpringPlan(m), state_at_rest(m, view.q));
+  const Eigen::Vector3d reference = m.origin(pose, m.topology().platform);
+  // What bends the machine into the shape: the inertia of every mass; of a platform on massless limbs the wrench that does.
+  Eigen::VectorXd loads = Eigen::VectorXd::Zero(6 * (static_cast<Eigen::Index>(m.topology().bodies.size()) - 1));
+  const auto add = [&](int body, const mechanics::Vector6d& wrench) {
+    auto at = loads.segment<6>(6 * body - 6);
+    at += wrench;
+    at.tail<3>() += (reference - m.origin(pose, body)).cross(Eigen::Vector3d(wrench.head<3>()));
+  };
+  double frequency = 0;
+  if (request.limb_inertia) {
+    const mechanics::WholeMode mode = mechanics::whole_modes(view.pose, 1).front();
+    frequency = mode.frequency;
+    for (std::size_t i = 0; i < view.pose.masses.size(); ++i)
+      add(view.pose.masses[i].body, view.pose.masses[i].wrench * mode.masses(static_cast<Eigen::Index>(i)));
+  } else {
+    const mechanics::Mode mode = mechanics::modes(view.pose.compliance, view.pose.platform_inertia, a.length()).front();
+    frequency = mode.frequency;
+    add(m.topology().platform, view.pose.compliance.completeOrthogonalDecomposition().solve(mode.shape));
+  }
+  Eigen::VectorXd u = system.displacements(loads);
   scene::Bounds bounds;
   scene::include(bounds, m, m.home_pose());
   scene::include(bounds, m, pose);
@@ -103,7 +116,7 @@ Stage::Ordered mode_picture(const Analysis& a, const StiffnessRequest& request, 
   extras.lines = at_rest(m, pose);
   return stage.picture(m, swung, extras, bounds, isometric, fmt::format("mode-{}", number),
                        fmt::format("{}: lowest natural vibration, {} Hz, at the end of its swing, much enlarged.", view.name,
-                                   typeset(format_number(mode.frequency, 4))),
+                                   typeset(format_number(frequency, 4))),
                        {800, 600, false, 2});
 }
 

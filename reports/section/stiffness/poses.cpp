@@ -109,20 +109,25 @@ Table budget_table(const Analysis& a, const std::vector<ElasticView>& views) {
 
 Table mode_table(const Analysis& a, const std::vector<ElasticView>& views) {
   Table out{
-      "Natural frequencies [Hz]: of the platform on massless limbs, and with the limbs' masses, which follow the platform as they do "
-      "statically "
-      "(Guyan).",
+      "Natural frequencies [Hz]: of the whole machine, masses at the bodies' centres, limbs as they swing by themselves included; of limbs "
+      "that "
+      "follow the platform as they do statically (Guyan), which is too high where they do not; of the platform on massless limbs.",
       {"pose", "limbs"},
       {false, false},
       {}};
   std::size_t most = 0;
-  for (const ElasticView& v : views)
-    for (const bool limbs : {true, false}) {
-      const auto all = mechanics::modes(v.pose.compliance, limbs ? v.pose.inertia : v.pose.platform_inertia, a.length());
-      most = std::max(most, all.size());
-      out.rows.push_back({v.name, limbs ? "with mass" : "massless"});
-      for (const auto& m : all) out.rows.back().push_back(number(m.frequency));
+  const auto add = [&](const ElasticView& v, const char* limbs, const auto& modes) {
+    out.rows.push_back({v.name, limbs});
+    most = std::max(most, modes.size());
+    for (const auto& m : modes) out.rows.back().push_back(number(m.frequency));
+  };
+  for (const ElasticView& v : views) {
+    if (!v.pose.masses.empty()) {
+      add(v, "whole machine", mechanics::whole_modes(v.pose, analysis::told_frequencies));
+      add(v, "following statically", mechanics::modes(v.pose.compliance, v.pose.inertia, a.length()));
     }
+    add(v, "massless", mechanics::modes(v.pose.compliance, v.pose.platform_inertia, a.length()));
+  }
   for (std::size_t m = 1; m <= most; ++m) out.headings.push_back(symbol(fmt::format("f{}", m))), out.numeric.push_back(true);
   for (auto& row : out.rows) row.resize(out.headings.size());
   return out;
@@ -253,7 +258,8 @@ std::vector<document::Block> pose_blocks(const Analysis& a, const StiffnessReque
     out.emplace_back(screw_table(a, v, *stiffness));
   }
   for (const ElasticView& v : views)
-    if (!v.pose.forces.isZero(0) && std::ranges::any_of(a.machine().topology().elements, [](const Element& e) { return e.kind == ElementKind::beam; }))
+    if (!v.pose.forces.isZero(0) &&
+        std::ranges::any_of(a.machine().topology().elements, [](const Element& e) { return e.kind == ElementKind::beam; }))
       out.emplace_back(beam_table(a, v));
   return out;
 }

@@ -237,7 +237,8 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
 
   std::vector<Stage::Ordered> ordered;
   for (const ElasticView& v : views)
-    if (ordered.size() < pictured && m.elasticity().base.isZero(0))
+    if (ordered.size() < pictured && m.elasticity().base.isZero(0) && m.elasticity().platform.isZero(0) &&
+        !analysis::frequencies(v.pose, request.limb_inertia, a.length()).empty())
       ordered.push_back(mode_picture(a, request, v, stage, ordered.size() + 1));
 
   s.blocks.emplace_back(element_table(a, home));
@@ -321,10 +322,8 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
   value("home_pF_max", "m/N", i.pF_max), value("home_pF_min", "m/N", i.pF_min);
   value("home_pT_max", "1/N", i.pT_max), value("home_pT_min", "1/N", i.pT_min);
   value("home_PhiT_max", "rad/N/m", i.PhiT_max), value("home_PhiT_min", "rad/N/m", i.PhiT_min);
-  const auto modes =
-      known ? mechanics::modes(home.pose.compliance, request.limb_inertia ? home.pose.inertia : home.pose.platform_inertia, a.length())
-            : std::vector<mechanics::Mode>{};
-  value("home_frequency", "Hz", modes.empty() ? nan : modes.front().frequency);
+  const std::vector<double> modes = known ? analysis::frequencies(home.pose, request.limb_inertia, a.length()) : std::vector<double>{};
+  value("home_frequency", "Hz", modes.empty() ? nan : modes.front());
   return out;
 }
 
