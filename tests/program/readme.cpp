@@ -23,14 +23,21 @@ std::vector<std::string> blocks(const std::string& language) {
   return out;
 }
 
+// The one block of a language that has this text.
+std::string block_with(const std::string& language, const std::string& text) {
+  std::vector<std::string> found;
+  for (std::string& block : blocks(language))
+    if (block.find(text) != std::string::npos) found.push_back(std::move(block));
+  REQUIRE(found.size() == 1);
+  return found.front();
+}
+
 }  // namespace
 
 TEST_CASE("the first scenario of README.md makes a report") {
   const Workshop here;
-  const auto scenarios = blocks("toml");
-  REQUIRE(scenarios.size() == 5);
   // At a sixteenth of the size of its pictures, which are not the point.
-  const std::string quick = with(scenarios[0], {{"times = [\"0 s\", \"1 s\"]", "times = [\"0 s\", \"1 s\"]\nsize = [400, 300]"}});
+  const std::string quick = with(blocks("toml").at(0), {{"times = [\"0 s\", \"1 s\"]", "times = [\"0 s\", \"1 s\"]\nsize = [400, 300]"}});
   here.write("first.toml", quick);
   const Result result = pmreport({"first.toml"}, {.folder = here.path()});
   INFO(result.out << result.err);
@@ -40,8 +47,6 @@ TEST_CASE("the first scenario of README.md makes a report") {
 
 TEST_CASE("the tables of forces, drives and limits in README.md make reports") {
   const Workshop here;
-  const auto scenarios = blocks("toml");
-  REQUIRE(scenarios.size() == 5);
   const std::string gravity = "[load]\ngravity = [\"0 m/s^2\", \"0 m/s^2\", \"-9.81 m/s^2\"]\n";
   const auto of = [&](const std::string& mechanism, const std::string& tables, const std::string& kinds) {
     std::string text = "title = \"t\"\n[mechanism]\nuse = \"" + mechanism + "\"\n" + gravity + tables;
@@ -52,9 +57,10 @@ TEST_CASE("the tables of forces, drives and limits in README.md make reports") {
     }
     return text;
   };
-  here.write("forces.toml", of("stewart", scenarios[1], "dynamics"));
-  here.write("limits.toml", of("gough", scenarios[2] + "[motion]\nduration = \"2 s\"\nsamples = 51\nx = \"5 mm * sin(pi*t/1 s)\"\n",
-                               "dynamics drives reactions speed"));
+  here.write("forces.toml", of("stewart", block_with("toml", "from = \"forces\""), "dynamics"));
+  here.write("limits.toml",
+             of("gough", block_with("toml", "[drive.rho1]") + "[motion]\nduration = \"2 s\"\nsamples = 51\nx = \"5 mm * sin(pi*t/1 s)\"\n",
+                "dynamics drives reactions speed"));
   for (const char* file : {"forces.toml", "limits.toml"}) {
     const Result result = pmreport({file}, {.folder = here.path()});
     INFO(file << '\n' << result.out << result.err);
@@ -64,11 +70,20 @@ TEST_CASE("the tables of forces, drives and limits in README.md make reports") {
 
 TEST_CASE("the workspace of README.md makes a report") {
   const Workshop here;
-  here.write("reach.toml", blocks("toml").at(3));
+  here.write("reach.toml", block_with("toml", "where it reaches"));
   const Result report = pmreport({"reach.toml"}, {.folder = here.path()});
   INFO(report.out << report.err);
   CHECK(report.status == 0);
   CHECK(std::filesystem::exists(here / "reach-report/data/workspace.csv"));
+}
+
+TEST_CASE("the transmission of README.md makes a report, and its check passes") {
+  const Workshop here;
+  here.write("moves.toml", block_with("toml", "kind = \"transmission\""));
+  const Result report = pmreport({"moves.toml"}, {.folder = here.path()});
+  INFO(report.out << report.err);
+  CHECK(report.status == 0);
+  CHECK(std::filesystem::exists(here / "moves-report/data/transmission-map.csv"));
 }
 
 TEST_CASE("the installed program finds its plugins where it was installed") {
@@ -95,7 +110,7 @@ TEST_CASE("the pieces of a mechanism in README.md stand in plugins/delta/mechani
 
 TEST_CASE("the Delta's scenario of README.md makes a report") {
   const Workshop here;
-  here.write("around.toml", blocks("toml").at(4));
+  here.write("around.toml", block_with("toml", "goes once around"));
   const Result result = pmreport({"around.toml"}, {.folder = here.path()});
   INFO(result.out << result.err);
   CHECK(result.status == 0);
