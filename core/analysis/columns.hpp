@@ -22,6 +22,7 @@ std::vector<Column> transmission_columns(const Topology& t);  // how well actuat
 // Deflection of the tool, indices, frequencies; of every element its share, of every beam its internal forces. Those of a motion's loads come
 // first.
 std::vector<Column> stiffness_columns(const Topology& t);
+bool of_compliance(const Column& column);  // of these: one that asks for no load
 
 // Whether a joint of a kind transmits component c of a wrench in joint axes (joint_frame.hpp): 0-2 force, 3-5 moment about its centre.
 bool transmits(JointKind kind, int c);

@@ -29,7 +29,7 @@ enum class Measure : std::size_t {
   free_body,                // unbalanced force or moment of any body, reactions and inertia included
   power_balance,            // power of actuators and load against the rate of kinetic and potential energy
   judge,                    // reactions limb by limb against the system over all bodies
-  elastic_work,             // work of a load against the energy of all springs
+  elastic_work,             // work of all loads on all bodies against the energy of all springs
   elastic_judge,            // compliance by the force method against the system over all bodies, joints and springs
   elastic_drives,           // compliance of the drives alone against the overall Jacobian
   count

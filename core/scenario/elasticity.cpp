@@ -74,6 +74,12 @@ linear::Matrix6d read_compliance(const Entry& e, const Reader& reader) {
     return linear::Matrix6d::Zero();
   }
   out = (0.5 * (out + out.transpose())).eval();
+  for (Eigen::Index r = 0; r < 6; ++r)
+    if (!(out(r, r) >= 0) || (out(r, r) == 0 && !out.row(r).isZero(0))) {
+      reader.diagnostics().add(e.value.place, fmt::format("{} has negative energy: row {} of it has {} on the diagonal", e.key, r + 1,
+                                                          out(r, r) < 0 ? "a negative number" : "nothing"));
+      return linear::Matrix6d::Zero();
+    }
   const linear::Vector6d unit = size.unaryExpr([](double x) { return x > 0 ? 1 / x : 0; });
   if (linear::symmetric_eigen(linear::Matrix6d(unit.asDiagonal() * out * unit.asDiagonal())).values(0) < -1e-9) {
     reader.diagnostics().add(e.value.place, fmt::format("{} has negative energy: some load would move along itself backwards", e.key));
@@ -239,10 +245,10 @@ void read_misfits(const Entry& e, const std::vector<Element>& elements, const To
 
 }  // namespace
 
-bool read_elasticity(const Entry* elasticity, const Entry* elements, const std::vector<mechanics::DriveTrain>& drives,
+void read_elasticity(const Entry* elasticity, const Entry* elements, const std::vector<mechanics::DriveTrain>& drives,
                      MechanismPart& mechanism, const Reader& reader) {
   const bool driven = std::ranges::any_of(drives, [](const mechanics::DriveTrain& d) { return d.stiffness > 0; });
-  if (!mechanism.topology || (elasticity == nullptr && elements == nullptr && !driven)) return false;
+  if (!mechanism.topology || (elasticity == nullptr && elements == nullptr && !driven)) return;
   Topology& t = *mechanism.topology;
   ElasticSettings out;
   for (const mechanics::DriveTrain& d : drives)
@@ -273,7 +279,6 @@ bool read_elasticity(const Entry* elasticity, const Entry* elements, const std::
   }
   t.elements = elements_under(out, t);
   if (mechanism.machine != nullptr) mechanism.machine->give(std::move(out));
-  return true;
 }
 
 }  // namespace pmreport::scenario

@@ -8,8 +8,7 @@
 namespace pmreport::scenario {
 
 // `drives`: by actuator, as [drive] has them. Gives the settings to the mechanism's machine, and its topology the elements that result.
-// Returns whether the scenario says anything of it.
-bool read_elasticity(const Entry* elasticity, const Entry* elements, const std::vector<mechanics::DriveTrain>& drives,
+void read_elasticity(const Entry* elasticity, const Entry* elements, const std::vector<mechanics::DriveTrain>& drives,
                      MechanismPart& mechanism, const Reader& reader);
 
 }  // namespace pmreport::scenario

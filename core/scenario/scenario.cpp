@@ -85,7 +85,8 @@ Loaded load_text(const std::string& text, const Origin& origin) {
   s.limits = read_limits(limits, mechanism, reader);
   read_elasticity(elasticity, elements, s.drives, mechanism, reader);
   const bool elastic_drives = std::ranges::any_of(s.drives, [](const mechanics::DriveTrain& d) { return d.stiffness > 0; });
-  const GivenTable tables[] = {{"drive", drive, elastic_drives}, {"limits", limits}};
+  const GivenTable tables[] = {
+      {"drive", drive, elastic_drives}, {"limits", limits}, {"elasticity", elasticity, true}, {"element", elements, true}};
   s.sections = read_sections(sections, kinds, motion.span, mechanism, tables, s.drives, origin, reader);
   s.checks = read_checks(table.find("check"), {s.sections, mechanism.topology, motion.span, s.drives, kinds}, reader);
   table.finish();

@@ -277,7 +277,7 @@ TEST_CASE("the stiffer of two redundant limbs carries what both could") {
     dynamics.solve(1, jets.data(), loads.data(), Vector3d::Zero(), r);
     std::vector<Vector6d> joints(m.topology().joints.size());
     for (std::size_t i = 0; i < 6 * joints.size(); ++i) joints[i / 6](static_cast<Eigen::Index>(i % 6)) = r.joints[i];
-    const auto answer = ElasticSplit(m).add(m.home_pose().numbers.data(), 1, r, 0, 1, Eigen::Map<const Vector6d>(loads.data()), joints);
+    const auto answer = ElasticSplit(m).add(m.home_pose().numbers.data(), 1, r, 0, 1, joints);
     CHECK(answer.settled == 2);
     CHECK(answer.open.empty());
     return std::pair(joints[static_cast<std::size_t>(joint_named(m, "U2"))](0), joints[static_cast<std::size_t>(joint_named(m, "U3"))](0));
@@ -302,6 +302,51 @@ TEST_CASE("a self-stress that no element gives energy is left open, and told") {
   // The couple along n is held by joints alone.
   CHECK(rank_of(at.compliance, characteristic_length(m)) == 5);
   CHECK_FALSE(stiffness_of(at.compliance, characteristic_length(m)));
+}
+
+TEST_CASE("elements that no self-stress meets settle none, not even by rounding") {
+  Machine m = made("2q-spr");
+  m.give(only(m, {bearing("seat", joint_named(m, "R3"), 1e8, 1e8)}));
+  const ElasticPose at = at_home(m, (Vector6d() << 30, -20, 50, 3, -2, 4).finished(), down);
+  CHECK(at.settled == 0);
+  CHECK(at.open == 6);
+  CHECK(at.forces.cwiseAbs().maxCoeff() < 1e4);
+}
+
+TEST_CASE("a rail that is too long pushes its slider outward, on either side of zero") {
+  Machine m = made("p2prpu-prps");
+  ElasticSettings settings = only(m, {m.topology().elements[1]});
+  REQUIRE(m.topology().elements[1].name == "rail1");
+  settings.misfits = {{"rail1", 1e-3}};
+  m.give(settings);
+  for (const double y : {0.2, -0.2}) {
+    VectorXd q = m.home();
+    q(1) = y;
+    const ElasticPose at = Elastostatics(m).at(q, Vector6d::Zero(), Vector3d::Zero(), everything);
+    CHECK(at.by_strain(1) == Approx(y > 0 ? 1e-3 : -1e-3).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("what a beam carries does not ask whether it gives") {
+  for (const char* how : {"full", "couples"}) {
+    const Machine m = made("p2prpu-prps", {{"limb_bending", {choice(plugin("p2prpu-prps"), "limb_bending", how)}}});
+    const ElasticPose at = at_home(m, (Vector6d() << 0, 100, 0, 0, 0, 0).finished());
+    REQUIRE(m.topology().elements[0].name == "limb1");
+    CHECK(beam_forces(at, m.topology().elements.size(), at.forces)[0].bending == Approx(100 * at.parts.lengths[0]).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("the platform's weight hangs on its own compliance, as its mass swings on it") {
+  Machine m = made("gough");
+  ElasticSettings settings = only(m, {});
+  settings.platform = 1e-6 * Matrix6d::Identity();
+  m.give(settings);
+  const ElasticPose at = at_home(m, Vector6d::Zero(), down);
+  const double weight = m.topology().bodies[static_cast<std::size_t>(m.topology().platform)].inertia.mass * 9.81;
+  CHECK(at.by_weights(2) == Approx(-1e-6 * weight).epsilon(1e-9));
+  // g / omega^2 is the sag of a mass on a spring.
+  const double omega = 2 * pi * whole_modes(at, 6).front().frequency;
+  CHECK(9.81 / (omega * omega) == Approx(1e-6 * weight).epsilon(1e-3));
 }
 
 TEST_CASE("at a singular pose there is no compliance") {

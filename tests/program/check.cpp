@@ -27,10 +27,11 @@ TEST_CASE("every mechanism of the house holds with its other choices, working mo
   INFO(result.out << result.err);
   CHECK(result.status == 0);
   CHECK_THAT(result.out, !Contains("FAIL") && !Contains("not examined"));
-  // Two words of each of three elbows, less the ones that it has; six dependent coordinates, of which z is refused, with cones that count
-  // from home or from the normal.
-  CHECK_THAT(result.out, Contains("\n7 other choices, home and 50 random poses each: pass\n"));
-  CHECK_THAT(result.out, Contains("\n9 other choices, home and 50 random poses each: pass; 2 were refused, such as: z cannot be the "
+  // Of the Delta each other word alone, for its elbows with its materials have too many combinations: three elbows, six materials of the
+  // arms and six of the rods. Of 4SPS-SPR all combinations of six dependent coordinates, of which z is refused, cones that count from home
+  // or from the normal, and seven materials.
+  CHECK_THAT(result.out, Contains("\n15 other choices, home and 50 random poses each: pass\n"));
+  CHECK_THAT(result.out, Contains("\n69 other choices, home and 50 random poses each: pass; 14 were refused, such as: z cannot be the "
                                   "dependent coordinate"));
   CHECK(std::regex_search(result.out, std::regex("\n[3-9][0-9] other sizes, home and 50 random poses each: pass")));
 }

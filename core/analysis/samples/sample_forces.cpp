@@ -117,7 +117,7 @@ void SampleForces::settle(std::size_t k, std::size_t count, std::size_t sample) 
     for (std::size_t j = 0; j < indeterminate_.size(); ++j) indeterminate_[j] = static_cast<Indeterminate>(indeterminate_[j] | rigid(j));
     return;
   }
-  const auto answer = split_.add(state_.placement_jets.data(), 3, chunk_, k, count, loading_.platform, reactions_.joints);
+  const auto answer = split_.add(state_.placement_jets.data(), 3, chunk_, k, count, reactions_.joints);
   elastic_.stresses = std::max(elastic_.stresses, answer.settled);
   elastic_.open = std::max(elastic_.open, static_cast<int>(answer.open.size()));
   const auto open = indeterminate_components(state_, frames_, answer.open, length_);

@@ -1,6 +1,7 @@
 // Elasticity at every sample: the columns of section `stiffness`, and their residuals.
 #include <core/analysis/analysis.hpp>
 #include <core/analysis/stiffness/numbers.hpp>
+#include <core/mechanics/dynamics/momentum.hpp>
 #include <core/mechanics/stiffness/whole_system.hpp>
 
 #include <tbb/enumerable_thread_specific.h>
@@ -56,20 +57,23 @@ class Worker {
 
  private:
   void prove(int sample, bool judged, const Vector6d& load, const ElasticPose& pose, Row& row) {
-    // Work of the load alone along what it causes, and the energy of the springs.
-    const Eigen::VectorXd forces = pose.unit * load;
+    if (!judged) return;
+    prove_drives(pose, row);
+    if (!machine_.elasticity().platform.isZero(0) || !machine_.elasticity().base.isZero(0)) return;
+    mechanics::State state;
+    const Eigen::VectorXd q = motion_.value.row(sample), rate = motion_.rate.row(sample), acceleration = motion_.acceleration.row(sample);
+    evaluate(machine_, q.data(), rate.data(), acceleration.data(), state);
+    if (state.status != PM_OK) return;
+    const mechanics::WholeSystem whole(statics_.plan(), state);
+    const Eigen::Index platform = 6 * machine_.topology().platform - 6;
+    set(row, Measure::elastic_judge, deviation(pose.compliance, whole.under_unit_wrenches().middleRows<6>(platform), length_));
+    // What acts on the bodies, less what their motion takes, along the displacements of all of them; and the energy of the springs.
+    const Eigen::VectorXd wrenches = applied_wrenches(machine_, state, {load, load_.gravity}) - inertial_wrenches(machine_, state);
+    const double work = wrenches.dot(Eigen::VectorXd(whole.displacements(wrenches)));
     double energy = 0;
     for (std::size_t i = 0; i < pose.parts.springs.size(); ++i)
-      energy += pose.parts.springs[i].compliance * forces(static_cast<Eigen::Index>(i)) * forces(static_cast<Eigen::Index>(i));
-    const double work = load.dot(pose.by_load);
-    if (work > 0) set(row, Measure::elastic_work, relative(std::abs(work - energy), work));
-    if (!judged || !machine_.elasticity().platform.isZero(0) || !machine_.elasticity().base.isZero(0)) return;
-    const mechanics::State state = state_at_rest(machine_, motion_.value.row(sample).transpose());
-    if (state.status != PM_OK) return;
-    const Eigen::MatrixXd all = mechanics::WholeSystem(statics_.plan(), state).under_unit_wrenches();
-    const Matrix6d whole = all.middleRows<6>(6 * machine_.topology().platform - 6);
-    set(row, Measure::elastic_judge, deviation(pose.compliance, whole, length_));
-    prove_drives(pose, row);
+      energy += pose.parts.springs[i].compliance * std::pow(pose.loaded(static_cast<Eigen::Index>(i)), 2);
+    set(row, Measure::elastic_work, relative(std::abs(work - energy), std::max(work, energy)));
   }
 
   // The part of the drives in the compliance, by their forces and by G: G^-1 diag(1/k) G^-T.

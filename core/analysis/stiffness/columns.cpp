@@ -45,4 +45,6 @@ std::vector<Column> stiffness_columns(const Topology& t) {
   return out;
 }
 
+bool of_compliance(const Column& c) { return c.group == "pF" || c.group == "pT" || c.group == "PhiT" || c.group == "frequency"; }
+
 }  // namespace pmreport::analysis

@@ -18,7 +18,7 @@ struct StiffnessRequest : scenario::Options {
   std::vector<double> times;                       // of poses whose matrices are shown [s]
   std::vector<Eigen::VectorXd> poses;              // and these
   std::optional<PoseMap> map;
-  std::vector<std::string> shown;  // columns over the map
+  std::vector<scenario::Column> shown;  // over the map
 };
 
 // Of the first such section; nullptr: there is none.

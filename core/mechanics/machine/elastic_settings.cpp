@@ -85,6 +85,8 @@ BeamPath path_of(const Topology& t, int from, int to) {
 }
 
 std::string fault_of(const Element& e, const Topology& t) {
+  // Columns beam_axial, element_share are groups.
+  if (e.name == "beam" || e.name == "element") return fmt::format("an element cannot be called {}, which names the columns of all", e.name);
   if (!named_well(e.name))
     return fmt::format("expected a name of letters, digits and underscores that begins with a letter, seen \"{}\"", e.name);
   const auto fault = [&](const std::string& what) { return fmt::format("element {}: {}", e.name, what); };

@@ -150,18 +150,11 @@ std::vector<BeamForces> beam_forces(const ElasticPose& pose, std::size_t element
   std::vector<BeamForces> out(elements);
   for (const BeamStretch& s : pose.parts.stretches) {
     BeamForces& b = out[static_cast<std::size_t>(s.element)];
-    double across[2] = {0, 0}, moment[2] = {0, 0};
-    int bends = 0;
-    for (int i = s.first; i < s.first + s.springs; ++i) {
-      const double q = forces(i);
-      const Spring::Kind kind = pose.parts.springs[static_cast<std::size_t>(i)].kind;
-      if (kind == Spring::Kind::axial && std::abs(q) > std::abs(b.axial)) b.axial = -q;
-      if (kind == Spring::Kind::torsion) b.torque = std::max(b.torque, std::abs(q));
-      if (kind == Spring::Kind::across) across[i - s.first - 1] = q;
-      if (kind == Spring::Kind::bending) moment[bends++] = q;
-    }
+    const auto q = [&](int k) { return forces(s.first + k); };
+    if (std::abs(q(0)) > std::abs(b.axial)) b.axial = -q(0);
+    b.torque = std::max(b.torque, std::abs(q(3)));
     for (const double end : {-0.5 * s.length, 0.5 * s.length})
-      b.bending = std::max(b.bending, std::hypot(moment[0] + end * across[1], moment[1] - end * across[0]));
+      b.bending = std::max(b.bending, std::hypot(q(4) + end * q(2), q(5) - end * q(1)));
   }
   return out;
 }

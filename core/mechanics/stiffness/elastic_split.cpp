@@ -1,11 +1,13 @@
 #include <core/mechanics/stiffness/elastic_split.hpp>
 
+#include <algorithm>
+
 namespace pmreport::mechanics {
 
 using Eigen::Index;
 
 ElasticSplit::Answer ElasticSplit::add(const double* placement, std::size_t stride, const MotionReactions& reactions, std::size_t k,
-                                       std::size_t count, const Vector6d& load, std::vector<Vector6d>& joints) {
+                                       std::size_t count, std::vector<Vector6d>& joints) {
   Answer out;
   if (reactions.stress_count == 0 || !any()) return out;
   placement_.resize(plan_.machine().layout().size());
@@ -17,26 +19,33 @@ ElasticSplit::Answer ElasticSplit::add(const double* placement, std::size_t stri
     for (std::size_t i = 0; i < many; ++i) out_of[i] = from[(first + i) * count + k];
     return out_of;
   };
-  Eigen::MatrixXd stresses(static_cast<Index>(parts_.springs.size()), reactions.stress_count);
-  ForceRows forces;
+  std::vector<int> present;  // a pose with fewer self-stresses than others has zeros in their places
+  std::vector<Eigen::VectorXd> columns;
   for (int s = 0; s < reactions.stress_count; ++s) {
-    spring_forces(plan_, parts_, placement_.data(), 1, gathered(reactions.stresses, static_cast<std::size_t>(s) * numbers, numbers).data(),
-                  nullptr, nullptr, forces);
-    stresses.col(s) = forces;
+    const std::vector<double> stress = gathered(reactions.stresses, static_cast<std::size_t>(s) * numbers, numbers);
+    if (std::ranges::all_of(stress, [](double x) { return x == 0; })) continue;
+    present.push_back(s);
+    columns.push_back(stress_forces(plan_, parts_, placement_.data(), stress.data()));
   }
+  const auto stress_count = static_cast<Index>(present.size());
+  Eigen::MatrixXd stresses(static_cast<Index>(parts_.springs.size()), stress_count);
+  for (Index s = 0; s < stress_count; ++s) stresses.col(s) = columns[static_cast<std::size_t>(s)];
+  ForceRows forces;
   spring_forces(plan_, parts_, placement_.data(), 1, gathered(reactions.joints, 0, numbers).data(),
-                gathered(reactions.actuator_forces, 0, static_cast<std::size_t>(plan_.machine().dof())).data(), load.data(), forces);
+                gathered(reactions.actuator_forces, 0, static_cast<std::size_t>(plan_.machine().dof())).data(), forces);
   const Settled y = settled(parts_.springs, stresses, forces, true);
-  const auto number = [&](int s, std::size_t i) { return reactions.stresses[(static_cast<std::size_t>(s) * numbers + i) * count + k]; };
+  const auto number = [&](Index s, std::size_t i) {
+    return reactions.stresses[(static_cast<std::size_t>(present[static_cast<std::size_t>(s)]) * numbers + i) * count + k];
+  };
   for (std::size_t i = 0; i < numbers; ++i)
-    for (int s = 0; s < reactions.stress_count; ++s) joints[i / 6](static_cast<Index>(i % 6)) += y.shares(s, 0) * number(s, i);
+    for (Index s = 0; s < stress_count; ++s) joints[i / 6](static_cast<Index>(i % 6)) += y.shares(s, 0) * number(s, i);
   for (Index o = 0; o < y.open.cols(); ++o) {
     std::vector<Vector6d> stress(joints.size(), Vector6d::Zero());
     for (std::size_t i = 0; i < numbers; ++i)
-      for (int s = 0; s < reactions.stress_count; ++s) stress[i / 6](static_cast<Index>(i % 6)) += y.open(s, o) * number(s, i);
+      for (Index s = 0; s < stress_count; ++s) stress[i / 6](static_cast<Index>(i % 6)) += y.open(s, o) * number(s, i);
     out.open.push_back(std::move(stress));
   }
-  out.settled = reactions.stress_count - static_cast<int>(y.open.cols());
+  out.settled = static_cast<int>(stress_count - y.open.cols());
   return out;
 }
 

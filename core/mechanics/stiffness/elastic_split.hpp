@@ -21,7 +21,7 @@ class ElasticSplit {
     std::vector<std::vector<Vector6d>> open;  // those that no element settles, as JointReactions::stresses
   };
   Answer add(const double* placement, std::size_t stride, const MotionReactions& reactions, std::size_t k, std::size_t count,
-             const Vector6d& load, std::vector<Vector6d>& joints);
+             std::vector<Vector6d>& joints);
 
  private:
   SpringPlan plan_;

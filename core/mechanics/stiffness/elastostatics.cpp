@@ -20,6 +20,8 @@ namespace {
 
 // Of the largest energy of a self-stress: what rounding leaves of one that has none.
 constexpr double no_energy = 1e-13;
+// Of the sizes of what a force is the sum of.
+constexpr double cancelled = 1e-11;
 
 constexpr std::size_t unit_cases = 6;  // then weights, then the whole
 
@@ -45,26 +47,37 @@ struct Passing {
     row += along * Eigen::Map<const Eigen::RowVectorXd>(actuators + static_cast<std::size_t>(actuator) * count, n);
   }
 
-  // What the base passes on to what it stands on, about its origin.
+  // What the joints of a body exert on it in sum, about a point: what the base passes on to what it stands on, or the platform to its tool.
   template <class Row>
-  void add_base(const Vector6d& g, Row&& row) const {
+  void add_body(int body, const Vector3d& point, const Vector6d& g, Row&& row) const {
     const Topology& t = plan.machine().topology();
     for (std::size_t j = 0; j < t.joints.size(); ++j) {
-      if (t.joints[j].a != 0 && t.joints[j].b != 0) continue;
+      if (t.joints[j].a != body && t.joints[j].b != body) continue;
       const int joint = static_cast<int>(j);
       const Vector3d centre(placement + plan.machine().layout().joint(joint));
-      Vector6d here = g;  // g . (F; M + centre x F)
-      here.head<3>() += g.tail<3>().cross(centre);
-      add(joint, plan.actuator_of(joint), t.joints[j].b == 0 ? here : Vector6d(-here), row);
+      Vector6d here = g;  // g . (F; M + (centre - point) x F)
+      here.head<3>() += g.tail<3>().cross(centre - point);
+      add(joint, plan.actuator_of(joint), t.joints[j].b == body ? here : Vector6d(-here), row);
     }
+  }
+  // Sum of |g| |W| over a spring's terms: what rounding leaves of a force that cancels is 1e-15 of it.
+  double size_of(const SpringPlan::AtPose& parts, const Spring& s) const {
+    double out = 0;
+    for (int k = s.first; k < s.first + s.terms; ++k) {
+      const SpringTerm& term = parts.terms[static_cast<std::size_t>(k)];
+      const double* w = joints + 6 * static_cast<std::size_t>(term.joint) * count;
+      for (int c = 0; c < 6; ++c) out += std::abs(term.g(c) * w[static_cast<std::size_t>(c) * count]);
+    }
+    return out;
   }
 };
 
 }  // namespace
 
 void spring_forces(const SpringPlan& plan, const SpringPlan::AtPose& parts, const double* placement, std::size_t count,
-                   const double* joints, const double* actuators, const double* loads, ForceRows& out) {
+                   const double* joints, const double* actuators, ForceRows& out) {
   const Passing passing{plan, placement, joints, actuators, count};
+  const Machine& m = plan.machine();
   const auto n = static_cast<Index>(count);
   out.setZero(static_cast<Index>(parts.springs.size()), n);
   for (std::size_t i = 0; i < parts.springs.size(); ++i) {
@@ -74,12 +87,11 @@ void spring_forces(const SpringPlan& plan, const SpringPlan::AtPose& parts, cons
       case Spring::Of::actuator:
         if (actuators != nullptr) row = Eigen::Map<const Eigen::RowVectorXd>(actuators + static_cast<std::size_t>(s.actuator) * count, n);
         break;
-      case Spring::Of::platform:  // it pushes back
-        for (std::size_t c = 0; c < 6 && loads != nullptr; ++c)
-          row -= s.g(static_cast<Index>(c)) * Eigen::Map<const Eigen::RowVectorXd>(loads + c * count, n);
+      case Spring::Of::platform:
+        passing.add_body(m.topology().platform, Vector3d(placement + m.layout().body(m.topology().platform)), s.g, row);
         break;
       case Spring::Of::base:
-        passing.add_base(-s.g, row);
+        passing.add_body(0, Vector3d::Zero(), s.g, row);
         break;
       case Spring::Of::joints:
         for (int k = s.first; k < s.first + s.terms; ++k) {
@@ -88,6 +100,19 @@ void spring_forces(const SpringPlan& plan, const SpringPlan::AtPose& parts, cons
         }
     }
   }
+}
+
+VectorXd stress_forces(const SpringPlan& plan, const SpringPlan::AtPose& parts, const double* placement, const double* joints) {
+  ForceRows forces;
+  spring_forces(plan, parts, placement, 1, joints, nullptr, forces);
+  const Passing passing{plan, placement, joints, nullptr, 1};
+  for (std::size_t i = 0; i < parts.springs.size(); ++i) {
+    double& q = forces(static_cast<Index>(i), 0);
+    // A self-stress is no load on base or platform, and passes no drive.
+    const bool none = parts.springs[i].of != Spring::Of::joints || std::abs(q) <= cancelled * passing.size_of(parts, parts.springs[i]);
+    if (none) q = 0;
+  }
+  return forces;
 }
 
 Settled settled(const std::vector<Spring>& springs, const MatrixXd& stresses, const MatrixXd& forces, bool strained) {
@@ -106,7 +131,7 @@ Settled settled(const std::vector<Spring>& springs, const MatrixXd& stresses, co
   const double least = no_energy * energy.values(n - 1);
   Index open = 0;
   for (Index i = 0; i < n; ++i) {
-    if (!(energy.values(i) > least)) {
+    if (!(energy.values(i) > least && energy.values(i) > 0)) {
       ++open;
       continue;
     }
@@ -197,18 +222,14 @@ void Elastostatics::solve_one(const double* jets, std::size_t stride, const Vect
   plan_.at(placement_.data(), 1, out.parts);
   const std::vector<Spring>& springs = out.parts.springs;
   const auto n = static_cast<Index>(springs.size());
-  if (wanted.loads || !machine_.elasticity().platform.isZero(0))
-    for (std::size_t c = 0; c < unit_cases; ++c) loads_[c * cases_ + c] = 1;  // as the platform meets them
-  spring_forces(plan_, out.parts, placement_.data(), cases_, reactions_.joints.data(), reactions_.actuator_forces.data(), loads_.data(),
-                forces_);
+  spring_forces(plan_, out.parts, placement_.data(), cases_, reactions_.joints.data(), reactions_.actuator_forces.data(), forces_);
   const ForceRows& forces = forces_;
   MatrixXd stresses(n, reactions_.stress_count);
   for (int s = 0; s < reactions_.stress_count; ++s) {  // the same in every case
     const double* of = reactions_.stresses.data() + static_cast<std::size_t>(s) * 6 * t.joints.size() * cases_;
     stress_.resize(6 * t.joints.size());
     for (std::size_t i = 0; i < stress_.size(); ++i) stress_[i] = of[i * cases_];
-    spring_forces(plan_, out.parts, placement_.data(), 1, stress_.data(), nullptr, nullptr, stress_forces_);
-    stresses.col(s) = stress_forces_;
+    stresses.col(s) = stress_forces(plan_, out.parts, placement_.data(), stress_.data());
   }
   if (!forces.allFinite() || !stresses.allFinite()) return;
 

@@ -53,10 +53,12 @@ struct ElasticPose {
 };
 
 // Forces in the springs of one pose, a column a case, by the joints' wrenches without actuators' forces, number i of case k at
-// [i * count + k], and likewise actuators' forces and loads on the platform; null: none of these.
+// [i * count + k], and likewise actuators' forces; null: none.
 using ForceRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 void spring_forces(const SpringPlan& plan, const SpringPlan::AtPose& parts, const double* placement, std::size_t count,
-                   const double* joints, const double* actuators, const double* loads, ForceRows& out);
+                   const double* joints, const double* actuators, ForceRows& out);
+// Of a self-stress, by its wrenches, with what is but rounding made zero: it has no energy there.
+Eigen::VectorXd stress_forces(const SpringPlan& plan, const SpringPlan::AtPose& parts, const double* placement, const double* joints);
 
 class Elastostatics {
  public:
@@ -83,7 +85,7 @@ class Elastostatics {
   SpringPlan plan_;
   InverseDynamics dynamics_;
   std::vector<double> placement_, jets_, loads_, wrenches_, stress_;
-  ForceRows forces_, stress_forces_;
+  ForceRows forces_;
   MotionReactions reactions_;
   std::size_t cases_ = 0;
 };

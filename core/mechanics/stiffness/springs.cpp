@@ -132,18 +132,19 @@ void SpringPlan::at(const double* placement, std::size_t stride, AtPose& out) co
       };
       const auto by = [l](double rigidity) { return std::isinf(rigidity) ? 0 : l / rigidity; };
       const double longer = e.material.expansion * warmer * l + misfit_[static_cast<std::size_t>(b.element)] * l / length;
+      const bool full = e.bends == Bending::full;
+      const double bend_x = full ? by(bends_x) : 0, bend_y = full ? by(bends_y) : 0;
       add(Spring::Kind::axial, by(ea), -longer, force(n));
-      if (e.bends == Bending::full) {  // a force along x bends about y
-        add(Spring::Kind::across, by(bends_y) * l * l / 12, 0, force(x));
-        add(Spring::Kind::across, by(bends_x) * l * l / 12, 0, force(y));
-      }
+      add(Spring::Kind::across, bend_y * l * l / 12, 0, force(x));  // a force along x bends about y
+      add(Spring::Kind::across, bend_x * l * l / 12, 0, force(y));
       add(Spring::Kind::torsion, by(gj), 0, moment(n, middle));
-      if (e.bends != Bending::none) {
-        const Vector3d about = e.bends == Bending::full ? middle : Vector3d(root + reach);
-        add(Spring::Kind::bending, by(bends_x), 0, moment(x, about));
-        add(Spring::Kind::bending, by(bends_y), 0, moment(y, about));
+      add(Spring::Kind::bending, bend_x, 0, moment(x, middle));
+      add(Spring::Kind::bending, bend_y, 0, moment(y, middle));
+      if (e.bends == Bending::couples) {
+        add(Spring::Kind::end_bending, by(bends_x), 0, moment(x, root + reach));
+        add(Spring::Kind::end_bending, by(bends_y), 0, moment(y, root + reach));
       }
-      out.stretches.push_back({b.element, first, static_cast<int>(out.springs.size()) - first, l});
+      out.stretches.push_back({b.element, first, l});
     };
 
     double begin = 0;
@@ -184,10 +185,13 @@ void SpringPlan::at(const double* placement, std::size_t stride, AtPose& out) co
       const double way = placement[machine_.layout().actuator(actuator_of_joint_[static_cast<std::size_t>(e.from)]) * stride];
       const double l = std::abs(way) + e.offset, ea = e.material.modulus * e.section.area;
       out.lengths[i] = l;
-      const double longer = e.material.expansion * warmer * (way < 0 ? -l : l) + misfit_[i];
-      // A rail's own actuator pushes at its slide, and is no part of what its load is.
-      const int pushed_by = e.to == e.from ? actuator_of_joint_[static_cast<std::size_t>(e.from)] : -1;
-      out.terms.push_back({e.to, pushed_by, force_along(read.axis(e.from))});
+      const double longer = (way < 0 ? -1 : 1) * (e.material.expansion * warmer * l + misfit_[i]);
+      // The rail pushes the body that the slide carries, and that body what joint `to` holds.
+      const Joint &slide = t.joints[static_cast<std::size_t>(e.from)], &to = t.joints[static_cast<std::size_t>(e.to)];
+      int carried = slide.b;
+      if (e.to != e.from && slide.b != to.a && slide.b != to.b) carried = slide.a;
+      const double along = slide.b == carried ? 1 : -1, passed = e.to == e.from ? along : to.a == carried ? 1 : -1;
+      out.terms.push_back({e.to, actuator_of_joint_[static_cast<std::size_t>(e.to)], along * passed * force_along(read.axis(e.from))});
       out.springs.push_back({element, Spring::Kind::rail, Spring::Of::joints, static_cast<int>(out.terms.size()) - 1, 1, -1,
                              Vector6d::Zero(), std::isinf(ea) ? 0 : l / ea, -longer});
     } else if (e.kind == ElementKind::bearing) {

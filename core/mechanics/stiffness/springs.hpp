@@ -28,7 +28,7 @@
 namespace pmreport::mechanics {
 
 struct Spring {
-  enum class Kind { axial, across, torsion, bending, drive, rail, bearing_force, bearing_moment, mount };
+  enum class Kind { axial, across, torsion, bending, end_bending, drive, rail, bearing_force, bearing_moment, mount };
   enum class Of { joints, actuator, base, platform };  // what passes the force
 
   int element = -1;  // of the topology; -1: base or platform
@@ -46,11 +46,11 @@ struct SpringTerm {
   Vector6d g;         // on (force; moment about the joint's centre), base axes
 };
 
-// A stretch of a beam, for its internal forces: springs `first` to `first + 5` are axial, across x and y, torsion, bending about x and y;
-// of a beam that does not bend, or by couples alone, fewer (as `springs` says).
+// A stretch of a beam: from `first` on the six springs of (2), axial, across x and y, torsion, bending about x and y, of no compliance
+// where the beam does not give that way.
 struct BeamStretch {
   int element = 0;
-  int first = 0, springs = 0;
+  int first = 0;
   double length = 0;  // [m]
 };
 

@@ -15,7 +15,7 @@ namespace pmreport::scenario {
 struct GivenTable {
   std::string name;
   const Entry* entry;
-  bool used = false;  // by more than sections that need it
+  bool elastic = false;  // says how parts give way, which the sections with needs of stiffness or reactions use
 };
 
 // A section whose kind cannot be read keeps none. `drives`: what [drive] says.

@@ -17,14 +17,22 @@ const Entry* entry_of(const std::string& table, std::span<const GivenTable> tabl
   return found != tables.end() ? found->entry : nullptr;
 }
 
-bool used(const std::string& table, std::span<const GivenTable> tables) {
-  return std::any_of(tables.begin(), tables.end(), [&](const GivenTable& t) { return t.name == table && t.used; });
-}
-
 // A section that has nothing to show without its table, and a table that no section shows.
 void match_tables(const std::vector<Section>& sections, const std::vector<Place>& kinds_at, Kinds kinds, std::span<const GivenTable> tables,
                   const Reader& reader) {
   Diagnostics& diagnostics = reader.diagnostics();
+  const bool elastic_shown = std::any_of(sections.begin(), sections.end(), [](const Section& s) {
+    return s.kind == nullptr || s.kind->needs.stiffness || s.kind->needs.reactions;
+  });
+  const auto elastic = [&](const std::string& name) {
+    return std::any_of(tables.begin(), tables.end(), [&](const GivenTable& t) { return t.name == name && t.elastic; });
+  };
+  for (const GivenTable& table : tables)
+    if (table.entry != nullptr && table.elastic && !elastic_shown && (table.name == "elasticity" || table.name == "element"))
+      diagnostics.add(
+          table.entry->place,
+          fmt::format("[{}] is for the sections \"stiffness\" and \"reactions\", which this scenario does not have", table.name),
+          "add [[section]] and kind = \"stiffness\", or remove it");
   for (std::size_t i = 0; i < sections.size(); ++i) {
     if (sections[i].kind == nullptr) continue;
     for (const NeededTable& table : sections[i].kind->tables)
@@ -36,7 +44,7 @@ void match_tables(const std::vector<Section>& sections, const std::vector<Place>
       const Entry* given = entry_of(table.name, tables);
       const bool shown =
           std::any_of(sections.begin(), sections.end(), [&](const Section& s) { return s.kind == kind || s.kind == nullptr; });
-      if (given != nullptr && !shown && !table.idle.empty() && !used(table.name, tables))
+      if (given != nullptr && !shown && !table.idle.empty() && !(elastic_shown && elastic(table.name)))
         diagnostics.add(given->place,
                         fmt::format("[{}] is for the section {}, which this scenario does not have", table.name, in_quotes(kind->name)),
                         fmt::format("add [[section]] and kind = {}; {}", in_quotes(kind->name), table.idle));

@@ -78,13 +78,14 @@ std::string elastic_verdict(const Analysis& a, const Count& n) {
   if (!missed.empty())
     out += fmt::format(" The solution of least norm, which has no self-stress in it, misses {} at most.", listed(missed, "and"));
   if (n.doubtful > 0)
-    out += fmt::format(" {} that no element gives energy leave {} components indeterminate, marked {}: least-norm values, no prediction.",
-                       plural(e.open, "self-stress", "self-stresses"), n.doubtful, least_norm_mark);
+    out += fmt::format(
+        " {} that no element gives energy leave {} components indeterminate, marked {}: shown without those self-stresses, no prediction.",
+        plural(e.open, "self-stress", "self-stresses"), n.doubtful, least_norm_mark);
   return out;
 }
 
 std::string verdict(const Analysis& a, const Count& n) {
-  if (n.elastic > 0) return elastic_verdict(a, n);
+  if (a.elastic_reactions().stresses > 0) return elastic_verdict(a, n);
   if (n.doubtful == 0)
     return fmt::format("All {} components that the joints transmit are unique: the balance of the bodies alone determines them.",
                        n.components);

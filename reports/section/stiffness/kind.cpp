@@ -33,11 +33,23 @@ void read_poses(const scenario::Entry& e, const scenario::Reading& r, StiffnessR
     options.poses.push_back(read_pose(item, "poses", r.mechanism, r.reader).value_or(Eigen::VectorXd()));
 }
 
-// What can be shown over a map: all columns.
-std::vector<std::string> shown_words(const Topology& t) {
-  std::vector<std::string> out;
-  for (const Column& c : analysis::stiffness_columns(t)) out.push_back(c.name);
+// What can be shown over a map: all columns, of a load only where there is one.
+std::vector<Column> mapped_columns(const Topology& t, bool loaded) {
+  std::vector<Column> out = analysis::stiffness_columns(t);
+  std::erase_if(out, [&](const Column& c) { return !loaded && !analysis::of_compliance(c); });
   return out;
+}
+
+void read_stiffness_map(const scenario::Entry& e, const scenario::Reading& r, StiffnessRequest& o) {
+  if (!r.mechanism.topology) return;
+  const std::vector<Column> columns = mapped_columns(*r.mechanism.topology, r.span && !r.span->empty());
+  std::vector<std::string> words;
+  for (const Column& c : columns) words.push_back(c.name);
+  auto map = read_map(e, r.mechanism, r.reader, words);
+  if (!map) return;
+  o.map = *map;
+  if (map->show.empty()) map->show = {"pF_max", "PhiT_max", "frequency1"};
+  for (const std::string& name : map->show) o.shown.push_back(*std::ranges::find(columns, name, &Column::name));
 }
 
 std::vector<scenario::Quantity> quantities(const scenario::Options* options) {
@@ -56,21 +68,9 @@ std::vector<scenario::Quantity> quantities(const scenario::Options* options) {
   if (options == nullptr) return out;
   const auto& own = static_cast<const StiffnessRequest&>(*options);
   if (!own.map) return out;
-  for (const std::string& name : own.shown)
-    for (const auto& [word, title] : {std::pair{"min", "least"}, {"max", "largest"}}) {
-      const bool f = name.starts_with("frequency"), forces = name.ends_with("_axial"),
-                 moments = name.ends_with("_bending") || name.ends_with("_torque");
-      const std::string unit = f                                              ? "Hz"
-                               : name.starts_with("pF")                       ? "m/N"
-                               : name.starts_with("pT")                       ? "1/N"
-                               : name.starts_with("PhiT")                     ? "rad/N/m"
-                               : name.starts_with("deflection_turn")          ? "rad"
-                               : name.find("deflection") != std::string::npos ? "m"
-                               : forces                                       ? "N"
-                               : moments                                      ? "N*m"
-                                                                              : "";
-      out.push_back({fmt::format("stiffness.map_{}_{}", word, name), unit, fmt::format("{} {} over the map", title, name), false});
-    }
+  for (const Column& c : own.shown)
+    for (const auto& [word, title] : {std::pair{"min", "least"}, {"max", "largest"}})
+      out.push_back({fmt::format("stiffness.map_{}_{}", word, c.name), c.unit, fmt::format("{} {} over the map", title, c.name), false});
   return out;
 }
 
@@ -91,14 +91,7 @@ std::vector<scenario::Key> all_keys() {
                   "home", read_poses),
       keys::of<O>("map", map_shape(ShownKey{Shape::text(), "columns of this section that are drawn", "`pF_max`, `PhiT_max`, `frequency1`"}),
                   "over two coordinates, `{x = [\"-100 mm\", \"100 mm\"], y = [\"-110 mm\", \"110 mm\"], show = [\"pF_max\"]}`", "none",
-                  [](const scenario::Entry& e, const scenario::Reading& r, O& o) {
-                    if (!r.mechanism.topology) return;
-                    const auto map = read_map(e, r.mechanism, r.reader, shown_words(*r.mechanism.topology));
-                    if (!map) return;
-                    o.map = *map;
-                    o.shown = map->show;
-                    if (o.shown.empty()) o.shown = {"pF_max", "PhiT_max", "frequency1"};
-                  })};
+                  read_stiffness_map)};
 }
 
 }  // namespace

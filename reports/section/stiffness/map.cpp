@@ -32,10 +32,7 @@ DrawnMap stiffness_map(const Analysis& a, const StiffnessRequest& request, std::
   const mechanics::Machine& m = a.machine();
   analysis::PoseMap map = *request.map;
   if (map.at.size() == 0) map.at = m.home();
-  const std::vector<Column> all = analysis::stiffness_columns(m.topology());
-  std::vector<Column> shown;
-  for (const std::string& name : request.shown)
-    if (const auto c = std::ranges::find(all, name, &Column::name); c != all.end()) shown.push_back(*c);
+  const std::vector<Column>& shown = request.shown;
   const bool loaded = a.samples() > 0;
   mechanics::Vector6d load = mechanics::Vector6d::Zero();
   if (loaded) load << a.scenario().load.force.front(), a.scenario().load.moment.front();
@@ -63,7 +60,11 @@ DrawnMap stiffness_map(const Analysis& a, const StiffnessRequest& request, std::
     values.push_back({"stiffness", "map_max_" + shown[i].name, shown[i].unit, largest});
     indices.push_back({shown[i].name, shown[i].unit, shown[i].title, symbol_of(shown[i]), numbers[i]});
   }
-  return draw_map(a, map, "stiffness-map", loaded ? "elasticity, under the load at the start of the motion." : "elasticity.", indices);
+  return draw_map(a, map, "stiffness-map",
+                  std::ranges::all_of(shown, analysis::of_compliance)
+                      ? "compliance and frequencies."
+                      : "elasticity; deflections and forces under the load at the start of the motion.",
+                  indices);
 }
 
 }  // namespace pmreport::section

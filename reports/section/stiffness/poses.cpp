@@ -134,7 +134,7 @@ Table mode_table(const Analysis& a, const std::vector<ElasticView>& views) {
 }
 
 // An axis by where it is nearest to the tool, and its direction.
-Table screw_table(const Analysis&, const ElasticView& v, const Matrix6d& stiffness) {
+Table screw_table(const ElasticView& v, const Matrix6d& stiffness) {
   Table out{fmt::format("Eigenscrews of the stiffness at {}: twists whose wrench lies on their own screw (force λω, moment λv), seen from "
                         "the tool. Those "
                         "of the compliance are the same, with 1/λ.",
@@ -224,7 +224,7 @@ Table matrix_table(const Matrix6d& m, bool stiffness, const std::string& caption
     out.rows.push_back({rows[static_cast<std::size_t>(r)]});
     for (int c = 0; c < 6; ++c) {
       const double scale = std::sqrt(m(r, r) * m(c, c));
-      const double per_si = stiffness ? (r < 3 && c < 3 ? 1e-6 : r < 3 || c < 3 ? 1e-6 : 1e-6) : 1e6;
+      const double per_si = stiffness ? 1e-6 : 1e6;
       out.rows.back().push_back(std::abs(m(r, c)) < 1e-9 * scale ? "0" : number(m(r, c) * per_si));
     }
   }
@@ -255,7 +255,7 @@ std::vector<document::Block> pose_blocks(const Analysis& a, const StiffnessReque
     out.emplace_back(matrix_table(
         *stiffness, true,
         fmt::format("Stiffness at {}, {}: forces [N] and moments [N·m] by a translation of 1 µm and a rotation of 1 µrad.", v.name, axes)));
-    out.emplace_back(screw_table(a, v, *stiffness));
+    out.emplace_back(screw_table(v, *stiffness));
   }
   for (const ElasticView& v : views)
     if (!v.pose.forces.isZero(0) &&

@@ -110,7 +110,12 @@ double bending_factor(const Analysis& a, const StiffnessRequest& request, const 
     return nan;
   const auto plain = a.machine().with(a.machine().values());
   mechanics::ElasticSettings settings = a.machine().elasticity();
-  settings.bends = Bending::couples;
+  settings.bends.reset();
+  for (Element e : elements) {
+    if (e.kind == ElementKind::beam && e.bends == Bending::full) e.bends = Bending::couples;
+    std::erase_if(settings.added, [&](const Element& other) { return other.name == e.name; });
+    settings.added.push_back(std::move(e));
+  }
   plain->give(settings);
   mechanics::Elastostatics statics(*plain);
   const auto pose = statics.at(home.q, Vector6d::Zero(), Eigen::Vector3d::Zero(), {false, false});
@@ -155,12 +160,20 @@ document::Evidence no_negative_energy(const std::vector<ElasticView>& views, dou
   const Vector6d s = (Vector6d() << 1, 1, 1, Eigen::Vector3d::Constant(1 / length)).finished();
   for (const ElasticView& v : views) {
     const auto values = linear::symmetric_eigen(Matrix6d(s.asDiagonal() * v.pose.compliance * s.asDiagonal())).values;
-    worst = std::max(worst, -values(0) / values(5));
+    const double share = -values(0) / values(5);  // of a compliance of zero none
+    if (!(share <= worst)) worst = share;
   }
   return {"No load meets a negative compliance",
           fmt::format("least eigenvalue of the compliance, moments per length, relative to the largest, at {}; negative ones count",
                       plural(static_cast<int>(views.size()), "pose")),
           worst, 1e-13, ""};
+}
+
+// Why the one system over all bodies was asked nothing.
+std::string why_not_whole(const Analysis& a) {
+  const mechanics::ElasticSettings& e = a.machine().elasticity();
+  return e.base.isZero(0) && e.platform.isZero(0) ? "no pose that was looked at has a compliance"
+                                                  : "base or platform give way, which that system does not have";
 }
 
 document::Evidence by_whole_system(const Analysis& a, const std::vector<ElasticView>& views) {
@@ -174,14 +187,15 @@ document::Evidence by_whole_system(const Analysis& a, const std::vector<ElasticV
       const Eigen::MatrixXd all = mechanics::WholeSystem(mechanics::SpringPlan(a.machine()), state).under_unit_wrenches();
       const Matrix6d whole = s.asDiagonal() * all.middleRows<6>(6 * a.machine().topology().platform - 6) * s.asDiagonal();
       const Matrix6d mine = s.asDiagonal() * v.pose.compliance * s.asDiagonal();
-      worst = std::max(worst, (whole - mine).cwiseAbs().maxCoeff() / mine.cwiseAbs().maxCoeff());
+      const double share = (whole - mine).cwiseAbs().maxCoeff() / mine.cwiseAbs().maxCoeff();
+      if (!(share <= worst)) worst = share;
       ++looked;
     }
   const char *claim = "The force method equals one system over all bodies",
              *how =
                  "compliance of the platform by the reactions of joints and their self-stresses against the "
                  "displacements of all bodies, joints and springs at once, relative to the largest number";
-  if (looked == 0) return document::Evidence::not_examined(claim, how, "base or platform give way, which that system does not have");
+  if (looked == 0) return document::Evidence::not_examined(claim, how, why_not_whole(a));
   return {claim, fmt::format("{}, at {}", how, plural(looked, "pose")), worst, 1e-8, ""};
 }
 
@@ -205,6 +219,14 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
         "No elastic element: stiffness was not examined. Add [[element]], beam = [\"A1\", \"B1\"], diameter and material.");
     s.blocks.emplace_back(
         document::Proof{{document::Evidence::not_examined("Elasticity", "force method on the joint reactions", "no element gives way")}});
+    for (const auto& [name, unit] : {std::pair{"rank", ""},
+                                     {"home_pF_max", "m/N"},
+                                     {"home_pF_min", "m/N"},
+                                     {"home_pT_max", "1/N"},
+                                     {"home_pT_min", "1/N"},
+                                     {"home_PhiT_max", "rad/N/m"},
+                                     {"home_PhiT_min", "rad/N/m"}})
+      value(name, unit, 0);
     return out;
   }
   tell(definition(a, request));
@@ -285,13 +307,15 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
   if (!a.compliances().empty()) out.data.insert(out.data.begin(), compliance_data(a));
   document::Proof p;
   if (a.samples() > 0)
-    p = proof(a, {{analysis::Measure::elastic_work, "The work of the load becomes energy of the elements",
-                   "force times displacement of the load alone against the sum of c q² over all elements, relative", 1e-9, ""},
+    p = proof(a, {{analysis::Measure::elastic_work, "The work of all loads becomes energy of the elements",
+                   "loads, weights and inertia of all bodies times their displacements, by one system over all of them, against the sum of "
+                   "c q² over all elements by the force method, relative",
+                   1e-8, "", why_not_whole(a)},
                   {analysis::Measure::elastic_judge, "Along the motion the force method equals one system over all bodies",
                    "compliance of the platform by joint reactions and self-stresses against the displacements of all bodies, joints and "
                    "springs at once, "
                    "relative to the largest number",
-                   1e-8, "", "base or platform give way, which that system does not have"}});
+                   1e-8, "", why_not_whole(a)}});
   if (a.samples() > 0 && std::ranges::any_of(m.topology().elements, [](const Element& e) { return e.kind == ElementKind::drive; }))
     for (document::Evidence& line : proof(a, {{analysis::Measure::elastic_drives, "The drives' part follows from the overall Jacobian",
                                                "sum of q qᵀ/k over the drives, q by the joint reactions, against G⁻¹ diag(1/k) G⁻ᵀ of the "
