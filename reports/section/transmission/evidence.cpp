@@ -107,7 +107,9 @@ Compared compare(const Analysis& a, const TransmissionOptions& r) {
       const TransmissionIndices::OfActuator& index = at->actuators[static_cast<std::size_t>(i)];
       const double size = size_of_twist(index.twist, length);
       ++out.compared;
-      out.by_partials = std::max(out.by_partials, size_of_twist(by_partials.col(i) - index.twist, length) / size);
+      // What is no number must not pass for a small one.
+      const double partial = size_of_twist(by_partials.col(i) - index.twist, length) / size;
+      if (!(partial <= out.by_partials)) out.by_partials = partial;
       if (t.paths().drives[static_cast<std::size_t>(i)].telescope)
         out.rate = std::max(out.rate, std::abs(std::abs(index.force.dot(index.velocity)) - 1)), ++out.telescopes;
       const double off = size_of_twist(twist_by_moving(m, solver, q, i, length, size) - index.twist, length) / size;

@@ -160,7 +160,7 @@ std::vector<scenario::Quantity> quantities(const scenario::Options* given) {
   for (const std::string& name : singles)
     for (const auto& [before, words] : {std::pair{"min_", "least "}, {"max_", "largest "}, {"mean_", "mean "}})
       add(before + name, fmt::format("{}{} over the grid", words, name));
-  add("good_share", "share of the accepted poses of the grid whose local transmission index is 0.7 or more");
+  add("good_share", "share of the accepted poses of the grid, where it is known, whose local transmission index is 0.7 or more");
   add("poses", "poses of the grid", "", true);
   add("accepted", "poses of the grid that keep the limits", "", true);
   return out;

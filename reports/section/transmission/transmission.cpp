@@ -22,11 +22,14 @@ std::string worst_words(const Analysis& a) {
   const ColumnId column = by_local ? local : cosine;
   const Extreme least = extreme_of(a, {{column, ""}});
   if (least.sample < 0) return "";
+  const auto known = std::ranges::count_if(a.column(column), [](double x) { return std::isfinite(x); });
   const auto below = std::ranges::count_if(a.column(column), [](double x) { return x < analysis::good_transmission; });
   return fmt::format("{} is {} at least, at t = {}; it is {}.",
                      by_local ? "The local transmission index" : "The least cosine of a pressure angle",
                      typeset(format_number(least.value, 3)), show_time(a, least.sample),
-                     below == 0 ? "0.7 or more along the whole motion" : fmt::format("below 0.7 at {} of {} samples", below, a.samples()));
+                     below > 0              ? fmt::format("below 0.7 at {} of {} samples", below, a.samples())
+                     : known == a.samples() ? std::string("0.7 or more along the whole motion")
+                                            : fmt::format("0.7 or more at all {} of {} samples that have it", known, a.samples()));
 }
 
 }  // namespace
