@@ -36,13 +36,6 @@ VectorXd coordinates_of(const Machine& m, const json& pose) {
   return q;
 }
 
-const json& case_of(const std::string& id) {
-  for (const json& c : test::reference("stiffness.json")["cases"])
-    if (c["id"] == id) return c;
-  throw std::out_of_range("no case " + id);
-}
-
-// A joint or an axis that stands for the wrench of an element of the reference, as a bearing of its own.
 struct Prepared {
   std::unique_ptr<Machine> machine;
   VectorXd q;
