@@ -20,7 +20,7 @@ namespace {
 
 // Of the largest energy of a self-stress: what rounding leaves of one that has none.
 constexpr double no_energy = 1e-13;
-// Of the sizes of what a force is the sum of.
+// Of what a spring could carry of a self-stress: what it carries by rounding.
 constexpr double cancelled = 1e-11;
 
 constexpr std::size_t unit_cases = 6;  // then weights, then the whole
@@ -60,16 +60,6 @@ struct Passing {
       add(joint, plan.actuator_of(joint), t.joints[j].b == body ? here : Vector6d(-here), row);
     }
   }
-  // Sum of |g| |W| over a spring's terms: what rounding leaves of a force that cancels is 1e-15 of it.
-  double size_of(const SpringPlan::AtPose& parts, const Spring& s) const {
-    double out = 0;
-    for (int k = s.first; k < s.first + s.terms; ++k) {
-      const SpringTerm& term = parts.terms[static_cast<std::size_t>(k)];
-      const double* w = joints + 6 * static_cast<std::size_t>(term.joint) * count;
-      for (int c = 0; c < 6; ++c) out += std::abs(term.g(c) * w[static_cast<std::size_t>(c) * count]);
-    }
-    return out;
-  }
 };
 
 }  // namespace
@@ -105,12 +95,23 @@ void spring_forces(const SpringPlan& plan, const SpringPlan::AtPose& parts, cons
 VectorXd stress_forces(const SpringPlan& plan, const SpringPlan::AtPose& parts, const double* placement, const double* joints) {
   ForceRows forces;
   spring_forces(plan, parts, placement, 1, joints, nullptr, forces);
-  const Passing passing{plan, placement, joints, nullptr, 1};
+  // What a spring that sees the largest wrench of the stress would carry of it: rounding is measured by that.
+  const double length = plan.length();
+  double largest = 0;
+  for (std::size_t j = 0; j < plan.machine().topology().joints.size(); ++j) {
+    const Eigen::Map<const Vector6d> w(joints + 6 * j);
+    largest = std::max({largest, w.head<3>().norm(), w.tail<3>().norm() / length});
+  }
   for (std::size_t i = 0; i < parts.springs.size(); ++i) {
+    const Spring& s = parts.springs[i];
+    double size = 0;
+    for (int k = s.first; k < s.first + s.terms; ++k) {
+      const Vector6d& g = parts.terms[static_cast<std::size_t>(k)].g;
+      size += g.head<3>().norm() + length * g.tail<3>().norm();
+    }
     double& q = forces(static_cast<Index>(i), 0);
     // A self-stress is no load on base or platform, and passes no drive.
-    const bool none = parts.springs[i].of != Spring::Of::joints || std::abs(q) <= cancelled * passing.size_of(parts, parts.springs[i]);
-    if (none) q = 0;
+    if (s.of != Spring::Of::joints || std::abs(q) <= cancelled * largest * size) q = 0;
   }
   return forces;
 }

@@ -1,6 +1,7 @@
 #include <core/mechanics/stiffness/springs.hpp>
 
 #include <core/linear/eigenvalues.hpp>
+#include <core/mechanics/model/generic_model.hpp>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -55,7 +56,7 @@ void add_mount(std::vector<Spring>& out, const Matrix6d& compliance, Spring::Of 
 
 }  // namespace
 
-SpringPlan::SpringPlan(const Machine& machine) : machine_(machine) {
+SpringPlan::SpringPlan(const Machine& machine) : machine_(machine), length_(characteristic_length(machine)) {
   const Topology& t = machine.topology();
   actuator_of_joint_.assign(t.joints.size(), -1);
   for (std::size_t i = 0; i < t.actuators.size(); ++i)

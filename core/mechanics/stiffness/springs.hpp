@@ -70,6 +70,7 @@ class SpringPlan {
   void at(const double* placement, std::size_t stride, AtPose& out) const;
 
   const Machine& machine() const { return machine_; }
+  double length() const { return length_; }                                                         // characteristic length [m]
   int actuator_of(int joint) const { return actuator_of_joint_[static_cast<std::size_t>(joint)]; }  // -1: none
 
  private:
@@ -84,6 +85,7 @@ class SpringPlan {
     std::vector<std::vector<Passed>> further;  // of each body: what its further joints exert on it
   };
   const Machine& machine_;
+  double length_;
   std::vector<Beam> beams_;
   std::vector<int> actuator_of_joint_;
   std::vector<double> misfit_;  // by element
