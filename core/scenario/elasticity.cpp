@@ -257,7 +257,12 @@ void read_elasticity(const Entry* elasticity, const Entry* elements, const std::
   for (const Value* content : tables_of(elements, "element", reader)) {
     const auto e = read_element(*content, t, reader);
     if (!e) continue;
-    if (seen.insert(e->name).second)
+    const auto declared = std::ranges::find(t.elements, e->name, &Element::name);
+    if (declared != t.elements.end() && declared->kind != e->kind)
+      reader.diagnostics().add(
+          content->place, fmt::format("{} is declared by the mechanism as another kind of element, whose place this would take", e->name),
+          fmt::format("give it another name, or have the other rigid: [elasticity] rigid = [{}]", in_quotes(e->name)));
+    else if (seen.insert(e->name).second)
       out.added.push_back(*e);
     else
       reader.diagnostics().add(content->place, fmt::format("two elements are called {}", in_quotes(e->name)),
@@ -274,7 +279,14 @@ void read_elasticity(const Entry* elasticity, const Entry* elements, const std::
     if (const Entry* e = table.find("base_compliance")) out.base = read_compliance(*e, reader);
     if (const Entry* e = table.find("warmer"))
       out.warmer = read_within(*e, -1000, 1000, "", "it is in kelvin, without a unit", reader).value_or(0);
-    if (const Entry* e = table.find("misfit")) read_misfits(*e, all, t, out, reader);
+    if (const Entry* e = table.find("misfit")) {
+      read_misfits(*e, all, t, out, reader);
+      const std::vector<Element> left = elements_under(out, t);
+      for (const auto& [name, more] : out.misfits)
+        if (std::ranges::find(left, name, &Element::name) == left.end())
+          reader.diagnostics().add(e->value.place, fmt::format("{} is taken as rigid, and its misfit would not be looked at", name),
+                                   "remove it from rigid, or from misfit");
+    }
     table.finish();
   }
   t.elements = elements_under(out, t);

@@ -22,6 +22,11 @@ constexpr const char* smallest_scenario =
   throw ScenarioError({{file, 0, 0, std::move(message), {}, std::move(hint)}});
 }
 
+// [drive], or one of its tables, has the key, whatever stands there.
+bool says_stiffness(const Value& table) {
+  return std::ranges::any_of(table.entries, [](const Entry& e) { return e.key == "stiffness" || says_stiffness(e.value); });
+}
+
 std::string text_or_nothing(const Entry* entry, const Reader& reader) {
   return entry != nullptr ? reader.text(entry->value).value_or("") : std::string();
 }
@@ -84,7 +89,7 @@ Loaded load_text(const std::string& text, const Origin& origin) {
   s.drives = read_drives(drive, mechanism, reader);
   s.limits = read_limits(limits, mechanism, reader);
   read_elasticity(elasticity, elements, s.drives, mechanism, reader);
-  const bool elastic_drives = std::ranges::any_of(s.drives, [](const mechanics::DriveTrain& d) { return d.stiffness > 0; });
+  const bool elastic_drives = drive != nullptr && says_stiffness(drive->value);
   const GivenTable tables[] = {
       {"drive", drive, elastic_drives}, {"limits", limits}, {"elasticity", elasticity, true}, {"element", elements, true}};
   s.sections = read_sections(sections, kinds, motion.span, mechanism, tables, s.drives, origin, reader);

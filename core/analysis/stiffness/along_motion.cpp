@@ -59,7 +59,7 @@ class Worker {
   void prove(int sample, bool judged, const Vector6d& load, const ElasticPose& pose, Row& row) {
     if (!judged) return;
     prove_drives(pose, row);
-    if (!machine_.elasticity().platform.isZero(0) || !machine_.elasticity().base.isZero(0)) return;
+    if (!machine_.elasticity().platform.isZero(0) || !machine_.elasticity().base.isZero(0) || pose.compliance.isZero(0)) return;
     mechanics::State state;
     const Eigen::VectorXd q = motion_.value.row(sample), rate = motion_.rate.row(sample), acceleration = motion_.acceleration.row(sample);
     evaluate(machine_, q.data(), rate.data(), acceleration.data(), state);
@@ -108,7 +108,7 @@ class Worker {
 
 void Analysis::run_stiffness(const Progress& progress) {
   const StiffnessRequest* request = stiffness_request(scenario_);
-  if (request == nullptr || samples() == 0) return;
+  if (request == nullptr || samples() == 0 || !gives_way(machine_)) return;
   for (const Column& c : stiffness_columns(machine_.topology())) columns_.add(c, time().size());
   compliances_.assign(time().size(), Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN()));
   tbb::enumerable_thread_specific<Worker> workers([&] { return Worker(machine_, trajectory_, scenario_.load, *request, length_); });

@@ -15,6 +15,11 @@ const StiffnessRequest* stiffness_request(const scenario::Scenario& scenario) {
   return nullptr;
 }
 
+bool gives_way(const Machine& machine) {
+  const mechanics::ElasticSettings& e = machine.elasticity();
+  return !machine.topology().elements.empty() || !e.platform.isZero(0) || !e.base.isZero(0);
+}
+
 ToolElasticity at_tool(const Machine& machine, const ElasticPose& pose, const double* placement, const StiffnessRequest& request) {
   const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> r(placement + machine.layout().body(machine.topology().platform) +
                                                                          3);

@@ -10,6 +10,9 @@
 
 namespace pmreport::analysis {
 
+// Some part of the machine is not rigid.
+bool gives_way(const mechanics::Machine& machine);
+
 // A pose seen at its tool point, in the axes that the section asks for.
 struct ToolElasticity {
   mechanics::Matrix6d to_tool;  // T of answers.hpp

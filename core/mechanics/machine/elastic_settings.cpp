@@ -86,6 +86,8 @@ BeamPath path_of(const Topology& t, int from, int to) {
 
 std::string fault_of(const Element& e, const Topology& t) {
   // Columns beam_axial, element_share are groups.
+  for (const char* kind : {"beams", "rails", "drives", "bearings"})
+    if (e.name == kind) return fmt::format("an element cannot be called {}, which names all of a kind", e.name);
   if (e.name == "beam" || e.name == "element") return fmt::format("an element cannot be called {}, which names the columns of all", e.name);
   if (!named_well(e.name))
     return fmt::format("expected a name of letters, digits and underscores that begins with a letter, seen \"{}\"", e.name);

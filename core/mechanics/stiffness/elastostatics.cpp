@@ -223,6 +223,15 @@ void Elastostatics::solve_one(const double* jets, std::size_t stride, const Vect
   plan_.at(placement_.data(), 1, out.parts);
   const std::vector<Spring>& springs = out.parts.springs;
   const auto n = static_cast<Index>(springs.size());
+  if (n == 0) {  // nothing gives way
+    const auto masses = std::move(out.masses);
+    out = ElasticPose{};
+    out.masses = masses;
+    out.unit.resize(0, 6);
+    out.open = reactions_.stress_count;
+    out.known = true;
+    return;
+  }
   spring_forces(plan_, out.parts, placement_.data(), cases_, reactions_.joints.data(), reactions_.actuator_forces.data(), forces_);
   const ForceRows& forces = forces_;
   MatrixXd stresses(n, reactions_.stress_count);

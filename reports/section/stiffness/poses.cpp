@@ -20,15 +20,6 @@ namespace {
 
 std::string number(double x, int digits = 4) { return typeset(format_number(x, digits)); }
 
-std::string pose_words(const Analysis& a, const Eigen::VectorXd& q) {
-  std::vector<std::string> parts;
-  for (int i = 0; i < q.size(); ++i) {
-    const Coordinate& c = a.machine().topology().coordinates[static_cast<std::size_t>(i)];
-    if (std::abs(q(i) - c.home) > 1e-12) parts.push_back(fmt::format("{} = {}", symbol(c.name), show(q(i), c.unit, 5)));
-  }
-  return parts.empty() ? "home" : listed(parts);
-}
-
 // One unit an index, over all poses.
 Table index_table(const Analysis& a, const std::vector<ElasticView>& views) {
   Table out{
@@ -42,7 +33,7 @@ Table index_table(const Analysis& a, const std::vector<ElasticView>& views) {
   for (const ElasticView& v : views) {
     const auto i = mechanics::deformation_indices(v.tool.compliance);
     values.push_back({i.pF_max, i.pF_min, i.pT_max, i.pT_min, i.PhiT_max, i.PhiT_min});
-    out.rows.push_back({v.name, pose_words(a, v.q)});
+    out.rows.push_back({v.name, where_words(a.machine(), v.q)});
   }
   const std::array names{"pF max", "pF min", "pT max", "pT min", "ΦT max", "ΦT min"},
       units{"m/N", "m/N", "1/N", "1/N", "rad/N/m", "rad/N/m"};
@@ -60,6 +51,9 @@ Table index_table(const Analysis& a, const std::vector<ElasticView>& views) {
   }
   return out;
 }
+
+// Of a unit vector.
+std::string component(double x) { return std::abs(x) < 1e-6 ? "0" : number(x, 2); }
 
 Table budget_table(const Analysis& a, const std::vector<ElasticView>& views) {
   const auto& elements = a.machine().topology().elements;
@@ -99,7 +93,8 @@ Table budget_table(const Analysis& a, const std::vector<ElasticView>& views) {
       continue;
     }
     out.rows.push_back({e < elements.size() ? elements[e].name : "base and platform"});
-    for (const auto& c : columns) out.rows.back().push_back(std::isfinite(c[e]) ? typeset(fmt::format("{:.1f}", 100 * c[e] + 0.0)) : "");
+    for (const auto& c : columns)
+      out.rows.back().push_back(std::isfinite(c[e]) ? typeset(fmt::format("{:.1f}", std::abs(c[e]) < 5e-4 ? 0.0 : 100 * c[e])) : "");
   }
   if (small > 0)
     out.caption += fmt::format(" {} with less than 0.05 % everywhere {} left out.", plural(static_cast<int>(small), "element"),
@@ -202,7 +197,9 @@ Table displacement_table(const std::vector<ElasticView>& views) {
                                   {"warming and misfits", &v.tool.by_strain}}) {
       const bool strain = d == &v.tool.by_strain;
       if ((!v.loaded && !strain) || d->isZero(1e-15)) continue;
-      const double size = d->head<3>().norm(), turn = d->tail<3>().norm();
+      // Rounding of one kind of displacement is told by the other.
+      const double size = std::max(d->head<3>().norm(), 1e-9 * d->tail<3>().norm()),
+                   turn = std::max(d->tail<3>().norm(), 1e-3 * d->head<3>().norm());
       out.rows.push_back({v.name, word});
       for (int k = 0; k < 3; ++k) out.rows.back().push_back(std::abs((*d)(k)) < 1e-9 * size ? "0" : number((*d)(k)*1e6));
       out.rows.back().push_back(number(size * 1e6));

@@ -97,8 +97,11 @@ std::string definition(const Analysis& a, const StiffnessRequest& request) {
                                 : fmt::format("Told is the tool, ({}, {}, {}) from the reference point in the platform's axes",
                                               show(request.tool.x(), "m"), show(request.tool.y(), "m"), show(request.tool.z(), "m"));
   out += fmt::format(", in {} axes.", request.platform_axes ? "platform" : "base");
+  const auto warms = [](const Element& e) { return e.kind == ElementKind::beam || e.kind == ElementKind::rail; };
   if (const double warmer = a.machine().elasticity().warmer; warmer != 0)
-    out += fmt::format(" Beams and rails are {} K warmer than when they were measured.", typeset(format_number(warmer, 4)));
+    out += std::ranges::any_of(a.machine().topology().elements, warms)
+               ? fmt::format(" Beams and rails are {} K warmer than when they were measured.", typeset(format_number(warmer, 4)))
+               : " No beam or rail gives way, and what is rigid is not warmed.";
   return out;
 }
 
@@ -160,7 +163,8 @@ document::Evidence no_negative_energy(const std::vector<ElasticView>& views, dou
   const Vector6d s = (Vector6d() << 1, 1, 1, Eigen::Vector3d::Constant(1 / length)).finished();
   for (const ElasticView& v : views) {
     const auto values = linear::symmetric_eigen(Matrix6d(s.asDiagonal() * v.pose.compliance * s.asDiagonal())).values;
-    const double share = -values(0) / values(5);  // of a compliance of zero none
+    if (values(5) == 0) continue;  // nothing gives way
+    const double share = -values(0) / values(5);
     if (!(share <= worst)) worst = share;
   }
   return {"No load meets a negative compliance",
@@ -187,6 +191,7 @@ document::Evidence by_whole_system(const Analysis& a, const std::vector<ElasticV
       const Eigen::MatrixXd all = mechanics::WholeSystem(mechanics::SpringPlan(a.machine()), state).under_unit_wrenches();
       const Matrix6d whole = s.asDiagonal() * all.middleRows<6>(6 * a.machine().topology().platform - 6) * s.asDiagonal();
       const Matrix6d mine = s.asDiagonal() * v.pose.compliance * s.asDiagonal();
+      if (mine.isZero(0)) continue;  // of nothing that gives way nothing is compared
       const double share = (whole - mine).cwiseAbs().maxCoeff() / mine.cwiseAbs().maxCoeff();
       if (!(share <= worst)) worst = share;
       ++looked;
@@ -201,6 +206,15 @@ document::Evidence by_whole_system(const Analysis& a, const std::vector<ElasticV
 
 }  // namespace
 
+std::string where_words(const mechanics::Machine& m, const Eigen::VectorXd& q) {
+  std::vector<std::string> parts;
+  for (int i = 0; i < q.size(); ++i) {
+    const Coordinate& c = m.topology().coordinates[static_cast<std::size_t>(i)];
+    if (std::abs(q(i) - c.home) > 1e-12) parts.push_back(fmt::format("{} = {}", symbol(c.name), show(q(i), c.unit, 5)));
+  }
+  return parts.empty() ? "home" : listed(parts, "and");
+}
+
 Result stiffness_section(const Analysis& a, const StiffnessRequest& request, const Stage& stage, const Progress& progress) {
   const mechanics::Machine& m = a.machine();
   Result out{{"stiffness", "stiffness", "Stiffness", {}}, {}, {}, {}};
@@ -211,7 +225,7 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
   const auto value = [&](const std::string& name, const std::string& unit, double x) {
     out.values.push_back({"stiffness", name, unit, x});
   };
-  const bool gives = !m.topology().elements.empty() || !m.elasticity().platform.isZero(0) || !m.elasticity().base.isZero(0);
+  const bool gives = analysis::gives_way(m);
   if (!gives) {
     tell("Nothing gives way: the mechanism declares no elastic element, or all are taken as rigid. Its compliance is zero.",
          Paragraph::Tone::warning);
@@ -236,14 +250,21 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
   if (!home.pose.known) tell("At home the actuators do not hold the platform, which no stiffness replaces.", Paragraph::Tone::warning);
   std::vector<ElasticView> views;
   const auto look = [&](ElasticView v, const std::string& name) {
+    const bool placed = m.pose({v.q.data(), static_cast<std::size_t>(v.q.size())}).status == PM_OK;
     if (v.pose.known)
       views.push_back(std::move(v));
     else
-      tell(fmt::format("{}: there is no pose, or the actuators do not hold the platform there; nothing is told of it.", name),
+      tell(fmt::format("{}, {}: {}; nothing is told of it.", name, where_words(m, v.q),
+                       placed ? "the actuators do not hold the platform there" : "the mechanism cannot be assembled there"),
            Paragraph::Tone::warning);
   };
   std::vector<int> samples;
-  for (const double t : request.times) samples.push_back(a.sample_at(t));
+  for (const double t : request.times) {
+    samples.push_back(a.sample_at(t));
+    if (const double there = a.time()[static_cast<std::size_t>(samples.back())]; std::abs(there - t) > 1e-9)
+      tell(fmt::format("t = {} is no sample; the nearest, t = {}, is told in its place.", show(t, "s"), show_time(a, samples.back())),
+           Paragraph::Tone::note);
+  }
   if (samples.empty() && a.samples() > 0)
     if (const int worst = sample_of_largest(a, column_of(analysis::OfStiffness::deflection_size)); worst >= 0) samples.push_back(worst);
   for (std::size_t i = 0; i < samples.size(); ++i)
@@ -254,7 +275,7 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
     const std::string name = fmt::format("pose {}", i + 1);
     look(viewer.at_rest(name, request.poses[i]), name);
   }
-  if (views.empty() && home.pose.known) views.push_back(home);
+  if (views.empty() && request.poses.empty() && home.pose.known) views.push_back(home);
   progress.stop_if_asked();
 
   std::vector<Stage::Ordered> ordered;
@@ -292,10 +313,30 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
     for (figure::Figure& f : motion_figures(a)) s.blocks.emplace_back(std::move(f));
     if (document::Table t = motion_extremes(a); !t.rows.empty()) s.blocks.emplace_back(std::move(t));
     tell(buckling_words(a));
+    if (const double most = extreme(a, column_of(analysis::OfStiffness::deflection_size), true); most > 0.01 * a.length())
+      tell(fmt::format(
+               "The deflection comes to {}, which is not small beside the platform's {}: what is told holds for small displacements alone.",
+               show(most, "m", 3), show(a.length(), "m", 3)),
+           Paragraph::Tone::warning);
+    int lost = 0;
+    for (int k = 0; k < a.samples(); ++k)
+      lost += a.outcome(k) == analysis::Outcome::good && !std::isfinite(a.compliances()[static_cast<std::size_t>(k)](0, 0));
+    if (lost > 0)
+      tell(fmt::format("At {} of {} samples the actuators do not hold the platform: they give way without end there, and are in no number "
+                       "of this section.",
+                       lost, a.samples()),
+           Paragraph::Tone::warning);
   }
   for (document::Block& b : pose_blocks(a, request, views)) s.blocks.emplace_back(std::move(b));
   if (request.map) {
-    DrawnMap map = stiffness_map(a, request, out.values);
+    int singular = 0;
+    DrawnMap map = stiffness_map(a, request, out.values, singular);
+    if (singular > 0)
+      tell(fmt::format(
+               "At {} of the map the actuators do not hold the platform, which gives way without end there: the largest and the least over "
+               "the map are not known.",
+               plural(singular, "pose")),
+           Paragraph::Tone::warning);
     s.blocks.emplace_back(std::move(map.figure));
     out.data.push_back(std::move(map.data));
     progress.stop_if_asked();

@@ -30,6 +30,9 @@ document::Table element_table(const Analysis& a, const ElasticView& at);
 // Limbs that carry load and have no element; "limb 2 and limb 3".
 std::vector<std::string> rigid_limbs(const Analysis& a);
 
+// "x = 10 mm and z = 900 mm", what differs from home; "home".
+std::string where_words(const mechanics::Machine& m, const Eigen::VectorXd& q);
+
 // Along the motion. Empty figures are left out.
 std::vector<figure::Figure> motion_figures(const Analysis& a);
 document::Table motion_extremes(const Analysis& a);
@@ -39,7 +42,8 @@ std::vector<document::Block> pose_blocks(const Analysis& a, const StiffnessReque
 document::Table matrix_table(const mechanics::Matrix6d& m, bool stiffness, const std::string& caption);
 
 // Indices over the map.
-DrawnMap stiffness_map(const Analysis& a, const StiffnessRequest& request, std::vector<document::Value>& values);
+// `singular`: poses of it that the actuators do not hold; extremes over the map are then not known.
+DrawnMap stiffness_map(const Analysis& a, const StiffnessRequest& request, std::vector<document::Value>& values, int& singular);
 
 // The lowest mode of a pose, drawn: bodies where they are at the end of its swing, much enlarged.
 Stage::Ordered mode_picture(const Analysis& a, const StiffnessRequest& request, const ElasticView& view, const Stage& stage,
