@@ -52,15 +52,11 @@ Table index_table(const Analysis& a, const std::vector<ElasticView>& views) {
   return out;
 }
 
-// Of a unit vector.
-std::string component(double x) { return std::abs(x) < 1e-6 ? "0" : number(x, 2); }
-
 Table budget_table(const Analysis& a, const std::vector<ElasticView>& views) {
   const auto& elements = a.machine().topology().elements;
   Table out{
-      "Compliance budget: share of every element in the deflection of the tool, under load or by a unit force along the direction in which "
-      "it "
-      "gives most. The first to make stiffer stands first.",
+      "Compliance budget: share of every element in the deflection of the tool, under load or by a unit force along the direction in "
+      "which it gives most. The first to make stiffer stands first.",
       {"element"},
       {false},
       {}};
