@@ -1,8 +1,8 @@
 #include <core/analysis/columns.hpp>
 #include <core/mechanics/machine/joint_words.hpp>
+#include <core/mechanics/machine/limb_line.hpp>
 #include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/joint_motion.hpp>
-#include <core/mechanics/machine/limb_line.hpp>
 
 #include <fmt/core.h>
 

@@ -19,8 +19,8 @@ std::vector<Column> drive_columns(const Topology& t);         // what drives and
 std::vector<Column> reaction_columns(const Topology& t);      // the wrench in every joint, and of every limb on the platform
 std::vector<Column> transmission_columns(const Topology& t);  // how well actuators move the platform, and constraints hold it
 
-// Deflection of the tool, indices, frequencies; of every element its share, of every beam its internal forces. Those of a motion's loads come
-// first.
+// Deflection of the tool, indices, frequencies; of every element its share, of every beam its internal forces. Those of a motion's loads
+// come first.
 std::vector<Column> stiffness_columns(const Topology& t);
 bool of_compliance(const Column& column);  // of these: one that asks for no load
 

@@ -103,8 +103,8 @@
 // compiler's error names them. A constant vector becomes one of T by c.cast<T>(). Loops of a fixed length are welcome, and an iteration
 // takes a fixed number of steps: README.md shows one.
 //
-// Helpers. elastic.hpp: what gives way. rotation.hpp: rotations and frames. leg.hpp: telescopic legs. free_platform.hpp: a platform with six freedoms. parts.hpp:
-// limits and inertias from parameters. plugin.h says to the last digit what every number means.
+// Helpers. elastic.hpp: what gives way. rotation.hpp: rotations and frames. leg.hpp: telescopic legs. free_platform.hpp: a platform with
+// six freedoms. parts.hpp: limits and inertias from parameters. plugin.h says to the last digit what every number means.
 //
 // Then `pmreport check` holds joints, axes, rates, mobility and wrenches against each other, and says what does not fit by its name.
 #pragma once

@@ -68,6 +68,13 @@ Parts parse_that(const std::string& that, Measured& measured) {
   return {absolute.inside, time};
 }
 
+// `what`, which is of a motion, needs one.
+void need_motion_of(std::size_t offset, std::string_view what, const Measurable& measurable) {
+  if (measurable.span && measurable.span->empty())
+    throw ExpressionError(offset, fmt::format("{} is of a motion, and this scenario has none", in_quotes(what)),
+                          "add [motion], duration = \"10 s\" and samples = 501");
+}
+
 // Finds the columns of a name: a column or a group of a section that the report has.
 void resolve(const Piece& name, const Measurable& measurable, const Topology& topology, Measured& measured) {
   std::vector<std::string> known, groups;
@@ -97,6 +104,7 @@ void resolve(const Piece& name, const Measurable& measurable, const Topology& to
     throw ExpressionError(
         name.offset, fmt::format("no column or group is called {}{}", in_quotes(name.text), did_you_mean(name.text, known)),
         fmt::format("the groups of columns are {}; a single column is called as in the data files", listed(groups, "and")));
+  need_motion_of(name.offset, name.text, measurable);
   if (mixed)
     throw ExpressionError(name.offset, fmt::format("the columns of {} have different units", in_quotes(name.text)),
                           fmt::format("name one of them: {}", listed(measured.columns, "or")));
@@ -149,9 +157,7 @@ void resolve_quantity(const std::string& that, const Measurable& measurable, Mea
         throw ExpressionError(
             0, fmt::format("{} belongs to the section {}, which this scenario does not have", in_quotes(that), in_quotes(kind->name)),
             fmt::format("add [[section]] and kind = \"{}\"", kind->name));
-      if (measurable.span && measurable.span->empty() && q.of_motion)
-        throw ExpressionError(0, fmt::format("{} is of a motion, and this scenario has none", in_quotes(that)),
-                              "add [motion], duration = \"10 s\" and samples = 501");
+      if (q.of_motion) need_motion_of(0, that, measurable);
       measured.quantity = q.name;
       measured.unit = q.unit;
       measured.count = q.count;

@@ -126,7 +126,8 @@ void SampleForces::settle(std::size_t k, std::size_t count, std::size_t sample) 
     elastic_.settled[j] = static_cast<Indeterminate>(elastic_.settled[j] | (rigid(j) & ~open[j]));
     const Vector6d missed = reactions_.joints[j] - least_norm_[j];
     const int joint = static_cast<int>(j), at = static_cast<int>(sample);
-    if (const double f = missed.head<3>().norm(); f > elastic_.force) elastic_.force = f, elastic_.force_joint = joint, elastic_.force_sample = at;
+    if (const double f = missed.head<3>().norm(); f > elastic_.force)
+      elastic_.force = f, elastic_.force_joint = joint, elastic_.force_sample = at;
     if (const double m = missed.tail<3>().norm(); m > elastic_.moment)
       elastic_.moment = m, elastic_.moment_joint = joint, elastic_.moment_sample = at;
   }

@@ -55,5 +55,10 @@ TEST_CASE("what is for a motion has no place without one") {
   CHECK_THAT(
       told(still("kind = \"singularity\"\nposes = [{ x = \"10 mm\" }]\n", "[[check]]\nthat = \"singularity.crossings\"\nbelow = 1\n")),
       Contains("\"singularity.crossings\" is of a motion, and this scenario has none"));
+  // A column is of the samples of a motion, also where its section needs none.
+  for (const char* that : {"min(local_transmission)", "at(local_transmission, 1 s)"})
+    CHECK_THAT(told(still("kind = \"transmission\"\nposes = [{ x = \"10 mm\" }]\n",
+                          "[[check]]\nthat = \"" + std::string(that) + "\"\nabove = 0.1\n")),
+               Contains("\"local_transmission\" is of a motion, and this scenario has none"));
   CHECK(told(still("kind = \"mobility\"\n", "[[check]]\nthat = \"mobility.freedoms\"\nbelow = 3\n")).empty());
 }
