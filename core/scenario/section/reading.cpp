@@ -80,6 +80,14 @@ std::optional<Eigen::VectorXd> read_pose(const Value& value, const std::string& 
   return sound ? std::optional(q) : std::nullopt;
 }
 
+std::vector<Eigen::VectorXd> read_poses(const Entry& entry, std::size_t most, const Reading& reading) {
+  std::vector<Eigen::VectorXd> out;
+  if (!reading.mechanism.topology) return out;
+  for (const Value& item : items_of(entry, most, reading.reader))
+    out.push_back(read_pose(item, entry.key, reading.mechanism, reading.reader).value_or(Eigen::VectorXd()));
+  return out;
+}
+
 std::shared_ptr<const Loaded> read_other_scenario(const Value& value, const Origin& origin, const Reader& reader) {
   if (origin.named) return nullptr;
   const auto given = reader.text(value);

@@ -34,6 +34,8 @@ int index_of(const Topology& topology, const std::string& name);
 // A pose by its coordinates; those left out stay at home. Nothing, told, when it is none. The mechanism's topology must be known.
 std::optional<Eigen::VectorXd> read_pose(const Value& value, const std::string& where, const MechanismPart& mechanism,
                                          const Reader& reader);
+// Those of a list of one to `most`; an empty one where one is wrong, and none where the mechanism is not known.
+std::vector<Eigen::VectorXd> read_poses(const Entry& entry, std::size_t most, const Reading& reading);
 
 // The scenario in a file beside this one, as the text in `value` names it. Nothing where it cannot be read; what is wrong with it is told
 // with its own lines. A scenario that is read for another one reads no further ones, so that two may name each other.

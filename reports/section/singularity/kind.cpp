@@ -22,9 +22,7 @@ void read_length(const scenario::Entry& e, const scenario::Reading& r, Singulari
 }
 
 void read_poses(const scenario::Entry& e, const scenario::Reading& r, SingularityOptions& options) {
-  if (!r.mechanism.topology) return;
-  for (const scenario::Value& item : items_of(e, most_poses, r.reader))
-    options.poses.push_back(read_pose(item, "poses", r.mechanism, r.reader).value_or(Eigen::VectorXd()));
+  options.poses = scenario::read_poses(e, most_poses, r);
 }
 
 void complete(scenario::TableReader& table, const scenario::Reading& r, scenario::Options& options) {

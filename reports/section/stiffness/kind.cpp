@@ -28,9 +28,7 @@ void read_times(const scenario::Entry& e, const scenario::Reading& r, StiffnessR
 }
 
 void read_poses(const scenario::Entry& e, const scenario::Reading& r, StiffnessRequest& options) {
-  if (!r.mechanism.topology) return;
-  for (const scenario::Value& item : items_of(e, most_poses, r.reader))
-    options.poses.push_back(read_pose(item, "poses", r.mechanism, r.reader).value_or(Eigen::VectorXd()));
+  options.poses = scenario::read_poses(e, most_poses, r);
 }
 
 // What can be shown over a map: all columns, of a load only where there is one.

@@ -49,11 +49,7 @@ void read_length(const Entry& e, const Reading& r, O& options) {
   options.length.reset();
 }
 
-void read_poses(const Entry& e, const Reading& r, O& options) {
-  if (!r.mechanism.topology) return;
-  for (const scenario::Value& item : items_of(e, most_poses, r.reader))
-    options.poses.push_back(read_pose(item, "poses", r.mechanism, r.reader).value_or(Eigen::VectorXd()));
-}
+void read_poses(const Entry& e, const Reading& r, O& options) { options.poses = scenario::read_poses(e, most_poses, r); }
 
 // By the mechanism: columns of which it never has a number.
 std::map<std::string, std::string> columns_without(const Reading& r) {
