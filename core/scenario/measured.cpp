@@ -142,12 +142,15 @@ std::optional<std::vector<Quantity>> quantities_of(const SectionKind& kind, cons
 void resolve_quantity(const std::string& that, const Measurable& measurable, Measured& measured) {
   const std::string prefix = that.substr(0, that.find('.'));
   std::vector<std::string> all, known, own;  // own: of the kind that `prefix` names
+  bool unread = false;
   for (const SectionKind* kind : with_quantities(measurable.kinds)) {
     all.push_back(kind->name);
     const std::optional<std::vector<Quantity>> asked = quantities_of(*kind, measurable.sections);
     const bool missing = !asked;
     // Without its section nobody knows what its keys would have said: all that it could ever have is found, the plain ones are told.
     const std::vector<Quantity> quantities = missing ? kind->quantities(nullptr) : *asked;
+    // The keys of such a section may name more than can be read of them without its mechanism, which is told already.
+    unread = unread || (kind->name == prefix && !missing && !measurable.topology);
     if (kind->name == prefix)
       for (const Quantity& q : missing ? plain_quantities(*kind) : quantities) own.push_back(q.name);
     for (const Quantity& q : quantities) {
@@ -164,6 +167,7 @@ void resolve_quantity(const std::string& that, const Measurable& measurable, Mea
       return;
     }
   }
+  if (unread) return;
   throw ExpressionError(0, fmt::format("no quantity is called {}{}", in_quotes(that), did_you_mean(that, known)),
                         own.empty() ? fmt::format("the sections with quantities are {}", listed(all, "and"))
                                     : fmt::format("the quantities of {} are {}", prefix, listed(own, "and")));

@@ -137,6 +137,16 @@ TEST_CASE("a mechanism that is not there is told with those that are") {
         "  hint: the mechanisms are stage and stewart");
 }
 
+TEST_CASE("what a section's keys name of a mechanism that is not there is no second mistake") {
+  const std::string text =
+      "title = \"a\"\n[mechanism]\nuse = \"stge\"\n[[section]]\nkind = \"stiffness\"\n"
+      "map = { x = [\"-1 mm\", \"1 mm\"], phi = [\"-1 deg\", \"1 deg\"], show = [\"pF_max\"] }\n"
+      "[[check]]\nthat = \"stiffness.map_max_pF_max\"\nbelow = \"1 um/N\"\n";
+  const std::string said = told(text);
+  CHECK_THAT(said, Contains("no mechanism is called \"stge\""));
+  CHECK_THAT(said, !Contains("no quantity is called"));
+}
+
 TEST_CASE("a parameter out of its range is told in the unit of the reader") {
   CHECK_THAT(told(with("200 mm", "5 mm")), Contains("expected 10 mm to 1000 mm for arm, seen 5 mm"));
   CHECK(told(with("200 mm", "1000 mm")).empty());

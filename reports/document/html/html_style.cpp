@@ -52,6 +52,7 @@ nav .failed { color: var(--bad); font-weight: 700; }
 figure .scroll { margin: 0; }
 table { border-collapse: collapse; font-size: .925rem; line-height: 1.4; }
 caption { text-align: left; font-weight: 600; padding: 0 0 .5rem; }
+@media screen { caption { position: sticky; left: 0; max-width: calc(100vw - 2.5rem); } }
 th, td { text-align: left; vertical-align: top; padding: .42rem 1.4rem .42rem 0; border-bottom: 1px solid var(--rule); }
 th:last-child, td:last-child { padding-right: .2rem; }
 .proof td:first-child { padding-right: 1rem; }

@@ -95,7 +95,9 @@ std::vector<figure::Figure> motion_figures(const Analysis& a) {
     if (!modes.empty()) f.panels.push_back(panel(a, "natural frequencies", "frequency", "Hz", modes));
     if (!f.panels.empty()) out.push_back(std::move(f));
   }
-  figure::Figure beams = empty("beam-forces", "What beams carry: axial force (tension positive), largest bending moment, torque.");
+  figure::Figure beams = empty("beam-forces",
+                               "What beams carry, each where it is largest along the beam: axial force (tension positive; a beam's own "
+                               "weight and inertia make it step through zero), bending moment, torque.");
   for (const auto& [what, title, unit] : {std::tuple{analysis::OfElement::axial, "axial force", "N"},
                                           {analysis::OfElement::bending, "bending moment", "N*m"},
                                           {analysis::OfElement::torque, "torque", "N*m"}}) {
