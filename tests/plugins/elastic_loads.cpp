@@ -170,3 +170,21 @@ TEST_CASE("the foot of a limb that a force bends carries force times length") {
             Approx(pi * pi * 2.1e11 * pi * std::pow(0.03, 4) / 64 / std::pow(at.parts.lengths[e], 2)));
     }
 }
+
+TEST_CASE("what presses a leg shrinks evenly as its platform is lifted, also where its upper end is pulled harder") {
+  const Machine m = made("gough");
+  std::vector<double> pressing;
+  bool pulled_harder = false;
+  for (double lift = 0; lift <= 2000; lift += 20) {
+    const ElasticPose at = at_home(m, (Vector6d() << 0, 0, lift, 0, 0, 0).finished(), down);
+    const BeamForces leg = beam_forces(at, m.topology().elements.size(), at.forces)[0];
+    pressing.push_back(leg.compression);
+    pulled_harder = pulled_harder || (leg.axial > 0 && leg.compression > 0);
+  }
+  CHECK(pulled_harder);
+  const double step = pressing[0] - pressing[1];
+  REQUIRE(step > 0);
+  for (std::size_t i = 1; i < pressing.size(); ++i)
+    CHECK(pressing[i] == Approx(std::max(0.0, pressing[0] - static_cast<double>(i) * step)).margin(1e-9 * pressing[0]));
+  CHECK(pressing.back() == 0);
+}

@@ -71,7 +71,8 @@ void stiffness_numbers(const Machine& machine, const ElasticPose& pose, const To
     put(column_of(elements[e], OfElement::bending), internal[e].bending);
     put(column_of(elements[e], OfElement::torque), internal[e].torque);
     const double critical = mechanics::buckling_load(elements[e], pose.parts.lengths[e]);
-    if (internal[e].axial < 0 && std::isfinite(critical)) put(column_of(elements[e], OfElement::buckling), -critical / internal[e].axial);
+    if (internal[e].compression > 0 && std::isfinite(critical))
+      put(column_of(elements[e], OfElement::buckling), critical / internal[e].compression);
   }
 }
 

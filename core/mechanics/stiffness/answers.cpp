@@ -152,6 +152,7 @@ std::vector<BeamForces> beam_forces(const ElasticPose& pose, std::size_t element
     BeamForces& b = out[static_cast<std::size_t>(s.element)];
     const auto q = [&](int k) { return forces(s.first + k); };
     if (std::abs(q(0)) > std::abs(b.axial)) b.axial = -q(0);
+    b.compression = std::max(b.compression, q(0));
     b.torque = std::max(b.torque, std::abs(q(3)));
     for (const double end : {-0.5 * s.length, 0.5 * s.length})
       b.bending = std::max(b.bending, std::hypot(q(4) + end * q(2), q(5) - end * q(1)));

@@ -55,9 +55,11 @@ std::vector<WholeMode> whole_modes(const ElasticPose& pose, int most, bool shape
 std::vector<double> shares(const ElasticPose& pose, std::size_t elements, const Vector6d& along, const Eigen::VectorXd& forces,
                            bool strained);
 
-// Largest internal forces of a beam over its stretches: axial force (tension positive, by size), bending moment, torque.
+// Largest internal forces of a beam over its stretches: axial force (tension positive, by size), bending moment, torque; and what presses
+// it, for by its own weight a beam may be pulled more at one end than it is pressed at the other.
 struct BeamForces {
   double axial = 0, bending = 0, torque = 0;  // [N], [N m], [N m]
+  double compression = 0;                     // [N], 0 where all of it is pulled
 };
 std::vector<BeamForces> beam_forces(const ElasticPose& pose, std::size_t elements, const Eigen::VectorXd& forces);
 // Euler's load of a beam, pi^2 E I / (k L)^2, of its weaker direction [N]; infinite where it is not slender.

@@ -166,7 +166,7 @@ Table beam_table(const Analysis& a, const ElasticView& v) {
   for (std::size_t e = 0; e < elements.size(); ++e) {
     if (elements[e].kind != ElementKind::beam) continue;
     const double critical = mechanics::buckling_load(elements[e], v.pose.parts.lengths[e]);
-    const bool compressed = forces[e].axial < -1e-9 * force;
+    const bool compressed = forces[e].compression > 1e-9 * force;
     const double k = elements[e].buckling_length;
     const std::string ends = k == 0   ? "not slender"
                              : k == 1 ? "1 L, hinged ends"
@@ -175,7 +175,7 @@ Table beam_table(const Analysis& a, const ElasticView& v) {
     out.rows.push_back(
         {elements[e].name, shown(forces[e].axial, force, n), shown(forces[e].bending, std::max(moment, 1e-9 * force * a.length()), nm),
          shown(forces[e].torque, std::max(moment, 1e-9 * force * a.length()), nm), std::isfinite(critical) ? show(critical, "N", 3) : "",
-         compressed && std::isfinite(critical) ? number(-critical / forces[e].axial, 3) : "", ends});
+         compressed && std::isfinite(critical) ? number(critical / forces[e].compression, 3) : "", ends});
   }
   return out;
 }
