@@ -35,5 +35,6 @@ struct Split {
   Program outer, inner;
 };
 Split split(const Program& program, std::uint64_t inner);
+Split split(const Program& program, const std::vector<bool>& inner);  // one an input
 
 }  // namespace pmreport::program

@@ -17,11 +17,17 @@ void for_operands(const Step& s, F&& f) {
 }  // namespace
 
 Split split(const Program& program, std::uint64_t inner) {
+  std::vector<bool> inputs(index(program.inputs()));
+  for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i] = i < 64 && (inner >> i & 1) != 0;
+  return split(program, inputs);
+}
+
+Split split(const Program& program, const std::vector<bool>& inner) {
   const std::span<const Step> steps = program.steps();
   std::vector<bool> varies(steps.size());
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const Step& s = steps[i];
-    if (s.operation == Operation::input) varies[i] = s.a < 64 && (inner >> s.a & 1) != 0;
+    if (s.operation == Operation::input) varies[i] = inner[index(s.a)];
     for_operands(s, [&](int x) { varies[i] = varies[i] || varies[index(x)]; });
   }
 

@@ -1,11 +1,12 @@
 // A set of poses, by numbers that must not be negative; and what of it is scanned.
 #pragma once
 
-#include <core/program/program.hpp>
+#include <core/program/guided.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace pmreport::scan {
@@ -17,6 +18,8 @@ struct LateMargins {
   std::function<void(std::size_t count, const double* poses, double* out)> judge;
   // The last so many must hold at every orientation of a point that all others accept; where they do not, none of it is accepted.
   std::size_t every = 0;
+  // The same margins for boxes, where there is such a program; a proof needs it.
+  std::optional<program::Guided> over_boxes = {};
 };
 
 // The poses whose margins are none negative. Margins stand in the order in which reasons are told; the first is the reach: where it is
@@ -26,6 +29,8 @@ struct PoseSet {
   std::vector<double> rounding;  // of each, and then of each late one: a margin nearer to zero is on its limit, and so accepted
   LateMargins late = {};         // margins behind those of the program
 
+  // Whether intervals can tell all margins: none is left to be judged pose by pose, or at all orientations of a point at once.
+  bool provable() const { return late.size == 0 || (late.over_boxes && late.every == 0); }
   std::size_t size() const { return margins.outputs().size() + late.size; }
 };
 

@@ -26,7 +26,7 @@ struct ProvedVolume {
   std::uint64_t boxes = 0;                 // looked at
   double undecided = 0;                    // volume of boxes that were left whole, neither in nor out, for margins without bounds
 };
-// Bytes do not depend on the number of threads, unless the time ends it. Sets with late margins cannot be proved: std::invalid_argument.
+// Bytes do not depend on the number of threads, unless the time ends it. What is not provable throws std::invalid_argument.
 ProvedVolume prove_volume(const PoseSet& set, const Scan& scan, const VolumeOptions& options, const Watch& watch = {});
 
 }  // namespace pmreport::scan

@@ -138,10 +138,10 @@ int limits(const Options& options, bool (*stop)()) {
     }
     terminal.clear();
     if (!w.safe_box || !w.safe_box->found) {
-      const std::string why = !w.home_inside        ? fmt::format("home lies outside: {} is broken there", w.home_refused_by)
-                              : w.set.late.size > 0 ? "a limit on an index or a reading cannot be proved over a box"
-                              : w.safe_box          ? w.safe_box->why
-                                                    : "no coordinate has a range";
+      const std::string why = !w.home_inside      ? fmt::format("home lies outside: {} is broken there", w.home_refused_by)
+                              : !w.set.provable() ? analysis::unprovable(w)
+                              : w.safe_box        ? w.safe_box->why
+                                                  : "no coordinate has a range";
       tell("{}:{}: there is no safe box around home: {}\n", options.scenario, s.line, why);
       status = gate_failed;
       continue;

@@ -53,7 +53,7 @@ scan::PoseSet set_of(const mechanics::PoseMargins& margins) {
   scan::PoseSet out;
   out.margins = margins.program;
   for (const mechanics::PoseMargin& m : margins.margins) out.rounding.push_back(m.rounding);
-  out.late = {margins.late, margins.judge_late, margins.every};
+  out.late = {margins.late, margins.judge_late, margins.every, margins.late_over_boxes};
   return out;
 }
 

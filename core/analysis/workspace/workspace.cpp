@@ -100,15 +100,8 @@ void count_the_grid(Workspace& w, const mechanics::Machine& machine, const Progr
 }
 
 void prove(Workspace& w, const Progress& progress) {
-  if (w.set.late.size > 0) {
-    std::vector<std::string> names;
-    for (std::size_t m = w.margins.margins.size() - w.margins.late; m < w.margins.margins.size(); ++m) {
-      const std::string& name = w.margins.limits[static_cast<std::size_t>(w.margins.margins[m].limit)].name;
-      if (names.empty() || names.back() != name) names.push_back(name);
-    }
-    w.not_proved = fmt::format("no proof looks at {}: readings and indices are judged pose by pose", listed(names, "and"));
-    return;
-  }
+  w.not_proved = unprovable(w);
+  if (!w.not_proved.empty()) return;
   scan::VolumeOptions options;
   options.gap = w.request.gap, options.seconds = w.request.seconds;
   if (w.scan.orientations.empty()) {
@@ -123,7 +116,7 @@ void prove(Workspace& w, const Progress& progress) {
 }
 
 void find_safe_poses(Workspace& w, const mechanics::Machine& machine, const Progress& progress) {
-  if (!w.home_inside || w.set.late.size > 0) return;
+  if (!w.home_inside || !w.set.provable()) return;
   if (!w.request.orientation_list.empty()) {
     w.safe_box = scan::SafeBox{}, w.safe_box->why = "its orientations would be a list; ranges of them have a box";
     return;
@@ -154,6 +147,25 @@ void find_safe_poses(Workspace& w, const mechanics::Machine& machine, const Prog
 
 }  // namespace
 
+std::string unprovable(const Workspace& w) {
+  if (w.set.provable()) return {};
+  using Group = mechanics::PoseLimit::Group;
+  const std::size_t size = w.margins.margins.size();
+  std::vector<std::string> no_program, at_all_orientations;
+  for (std::size_t m = size - w.margins.late; m < size; ++m) {
+    const mechanics::PoseLimit& limit = w.margins.limits[static_cast<std::size_t>(w.margins.margins[m].limit)];
+    const bool by_program = limit.group == Group::pressure || limit.group == Group::transmission;
+    std::vector<std::string>& names = by_program ? at_all_orientations : no_program;
+    if (by_program && m < size - w.margins.every) continue;
+    if (names.empty() || names.back() != limit.name) names.push_back(limit.name);
+  }
+  if (!no_program.empty())
+    return fmt::format("no proof looks at {}: readings, condition numbers and compliances are judged pose by pose",
+                       listed(no_program, "and"));
+  return fmt::format("no proof looks at {}: what all orientations of a point must keep is judged pose by pose",
+                     listed(at_all_orientations, "and"));
+}
+
 Workspace workspace(const mechanics::Machine& machine, const WorkspaceRequest& request, const Progress& progress) {
   Workspace w;
   std::string why;
@@ -167,6 +179,7 @@ Workspace workspace(const mechanics::Machine& machine, const WorkspaceRequest& r
   if (w.tool) {
     w.margins.program = w.tool->of_tool(w.margins.program);
     w.margins.judge_late = w.tool->of_tool(w.margins.judge_late);
+    if (w.margins.late_over_boxes) w.margins.late_over_boxes = w.tool->of_tool(*w.margins.late_over_boxes);
   }
   w.set = set_of(w.margins);
   w.scan = scan_of(w.request, machine);

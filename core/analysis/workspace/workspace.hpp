@@ -45,6 +45,9 @@ struct Workspace {
 std::vector<double> machine_pose(const Workspace& w, std::span<const double> scanned);
 std::vector<double> scanned_pose(const Workspace& w, std::span<const double> of_machine);
 
+// Why no proof can be made, as one sentence; empty: it can.
+std::string unprovable(const Workspace& w);
+
 // Cannot be done: too many poses, too much memory. The sentence says what would be needed, and what to do.
 struct ScanTooLarge : std::runtime_error {
   using std::runtime_error::runtime_error;

@@ -1,49 +1,20 @@
 #include <core/mechanics/transmission/pressure.hpp>
 
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/mechanics/transmission/recorded_drives.hpp>
 #include <core/mechanics/transmission/transmission_paths.hpp>
-#include <core/program/derivative.hpp>
-#include <core/program/recorder.hpp>
 #include <pmreport/scalar.hpp>
 
 #include <fmt/format.h>
 
 #include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace pmreport::mechanics {
 
 namespace {
-
-// Outputs: the actuators; of each drive the point whose velocity counts, of a telescopic one its far end from its near one; of each drive
-// its force; then the partials of all of these.
-program::Program motions_of_drives(const Machine& machine, const std::vector<DrivePath>& drives) {
-  const Topology& t = machine.topology();
-  const Layout& layout = machine.layout();
-  program::Recorder recorder(*machine.program());
-  const auto at = [&](std::size_t first) { return recorder.output(static_cast<int>(first)); };
-  const auto centres = [&](const BodyPoint& point, std::size_t x) {
-    if (point.joints.empty()) return at(layout.body(point.body) + x);
-    Recorded sum(0.0);
-    for (const int j : point.joints) sum += at(layout.joint(j) + x);
-    return sum;  // as many times the mean, which no angle tells apart
-  };
-  const auto point = [&](const DrivePath& d, std::size_t x) {
-    return d.telescope ? at(layout.joint(d.telescope->far) + x) - at(layout.joint(d.telescope->near) + x) : centres(d.entry, x);
-  };
-  std::vector<Recorded> outputs;
-  for (std::size_t i = 0; i < drives.size(); ++i) outputs.push_back(at(layout.actuator(static_cast<int>(i))));
-  for (const DrivePath& d : drives)
-    for (std::size_t x = 0; x < 3; ++x) outputs.push_back(point(d, x));
-  for (std::size_t i = 0; i < drives.size(); ++i)
-    for (std::size_t x = 0; x < 3; ++x) outputs.push_back(drives[i].telescope ? point(drives[i], x) : at(layout.size() + 6 * i + x));
-  std::vector<int> by(t.coordinates.size());
-  std::iota(by.begin(), by.end(), 0);
-  return program::partials(recorder.finish(outputs), by);
-}
 
 // Minors of a square matrix, by its first row and the minors that are left (Laplace), each once.
 class Minors {
@@ -93,30 +64,22 @@ bool pressure_known(const Machine& machine, std::string* why) {
 }
 
 program::Program squared_pressure_cosines(const Machine& machine) {
-  const std::vector<DrivePath> drives = transmission_paths(machine, characteristic_length(machine)).drives;
-  const program::Program motions = motions_of_drives(machine, drives);
-  program::Recorder recorder(motions);
-  const std::size_t n = drives.size(), values = 7 * n;
-  const auto partial = [&](std::size_t o, std::size_t by) { return recorder.output(static_cast<int>(values + o * n + by)); };
+  RecordedDrives drives(machine);
+  const std::size_t n = drives.size();
   std::vector<std::vector<Recorded>> rates(n);
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t c = 0; c < n; ++c) rates[i].push_back(partial(i, c));
+    for (std::size_t c = 0; c < n; ++c) rates[i].push_back(drives.rate(i, c));
   Minors minors(std::move(rates));
   std::vector<Recorded> outputs;
   for (std::size_t i = 0; i < n; ++i) {
-    Vector3<Recorded> force, v;
-    for (std::size_t x = 0; x < 3; ++x) {
-      const std::size_t o = n + 3 * i + x;
-      Recorded sum(0.0);
-      for (std::size_t c = 0; c < n; ++c) sum += partial(o, c) * minors.cofactor(i, c);
-      force(static_cast<Eigen::Index>(x)) = recorder.output(static_cast<int>(o + 3 * n));
-      v(static_cast<Eigen::Index>(x)) = sum;
-    }
+    std::vector<Recorded> column;
+    for (std::size_t c = 0; c < n; ++c) column.push_back(minors.cofactor(i, c));
+    const Vector3<Recorded> force = drives.pressure_force(i), v = drives.pressure_velocity(i, column);
     // Where v is zero, so is the numerator.
     const Recorded along = force.dot(v), lengths = force.dot(force) * v.dot(v);
     outputs.push_back(along * along / larger(lengths, Recorded(std::numeric_limits<double>::min())));
   }
-  return recorder.finish(outputs);
+  return drives.recorder().finish(outputs);
 }
 
 }  // namespace pmreport::mechanics

@@ -10,7 +10,7 @@
 // of A's row i stand for column i of A^-1, which they are but for det A: nothing is divided by, and no row is picked as a pivot.
 //
 // Over a box of poses intervals bound it too widely to decide anything: a cofactor of five rows is a sum of 120 products that all but
-// cancel.
+// cancel. What bounds it there is index_margins.hpp.
 #pragma once
 
 #include <core/mechanics/machine/machine.hpp>

@@ -4,15 +4,15 @@
 #include <core/linear/types.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/singularity/singularity.hpp>
+#include <core/mechanics/transmission/index_margins.hpp>
 #include <core/mechanics/transmission/pressure.hpp>
 #include <core/mechanics/transmission/transmission.hpp>
-#include <core/program/batch.hpp>
+#include <core/program/batches.hpp>
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -42,29 +42,6 @@ double largest_singular_value(const Eigen::Matrix3d& m, bool two_columns) {
   return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(m.transpose() * m, Eigen::EigenvaluesOnly).eigenvalues()(2));
 }
 
-// Batches of one program, lent to one thread at a time: to make one costs more than a few poses.
-class Batches {
- public:
-  void of(program::Program program) { program_ = std::move(program); }
-  const program::Program& program() const { return program_; }
-  void run(std::size_t count, const double* in, double* out) {
-    std::unique_ptr<program::Batch> batch;
-    {
-      const std::scoped_lock lock(mutex_);
-      if (!idle_.empty()) batch = std::move(idle_.back()), idle_.pop_back();
-    }
-    if (!batch) batch = std::make_unique<program::Batch>(program_);
-    batch->run(count, in, out);
-    const std::scoped_lock lock(mutex_);
-    idle_.push_back(std::move(batch));
-  }
-
- private:
-  program::Program program_;
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<program::Batch>> idle_;
-};
-
 }  // namespace
 
 struct LateLimits::Work {
@@ -83,7 +60,7 @@ struct LateLimits::Work {
 
   const Machine& machine;
   std::vector<Asked> asked = {};
-  Batches cosines = {}, wrenches = {};
+  program::Batches cosines = {}, wrenches = {};
   double length = 0;
   std::optional<Transmission> transmission = {};
 
@@ -126,6 +103,16 @@ void LateLimits::add_compliance(double drive_stiffness, bool horizontal, double 
 
 std::function<void(std::size_t, const double*, double*)> LateLimits::judge() const {
   return [work = work_](std::size_t count, const double* poses, double* out) { work->judge(count, poses, out); };
+}
+
+std::optional<program::Guided> LateLimits::over_boxes() const {
+  std::vector<IndexLimit> limits;
+  for (const Work::Asked& a : work_->asked) {
+    if (a.of != Work::Asked::Of::pressure && a.of != Work::Asked::Of::transmission) return {};
+    limits.push_back({a.of == Work::Asked::Of::pressure ? IndexLimit::Of::pressure : IndexLimit::Of::transmission, a.min, a.max});
+  }
+  if (limits.empty()) return {};
+  return index_margins(work_->machine, limits);
 }
 
 // By squares of cosines: the angle is between 0 and 90 degrees. Gives how many margins were written.

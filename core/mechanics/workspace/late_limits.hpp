@@ -1,4 +1,4 @@
-// Limits on what no program gives, or none over a box of poses: readings of the source, pressure angles, condition numbers,
+// Limits on what no program gives at a pose, or none that is fast: readings of the source, pressure angles, condition numbers,
 // transmission indices.
 //
 // With J the columns of G^-1 that belong to actuators, t = J r', a wrench W on the platform meets the drives with J^T W, which yield by it
@@ -7,9 +7,11 @@
 #pragma once
 
 #include <core/mechanics/machine/machine.hpp>
+#include <core/program/guided.hpp>
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,9 @@ class LateLimits {
   // Of `count` poses, input i of pose k at [i * count + k]: margin m to [m * count + k], in the order in which they were added. NaN where a
   // number does not exist. May be called by several threads; the machine must live as long.
   std::function<void(std::size_t count, const double* poses, double* out)> judge() const;
+  // The same margins, of any scale, for boxes of poses; nothing where there are none, or where a reading, a condition number or a
+  // compliance is among them, which only poses have. Throws program::ProgramError.
+  std::optional<program::Guided> over_boxes() const;
 
  private:
   struct Work;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <core/mechanics/machine/machine.hpp>
-#include <core/program/program.hpp>
+#include <core/program/guided.hpp>
 
 #include <functional>
 #include <limits>
@@ -83,7 +83,8 @@ struct PoseMargins {
   std::size_t late = 0;
   std::size_t every = 0;  // the last so many of the late ones must hold at every orientation that the others accept
   std::function<void(std::size_t count, const double* poses, double* out)> judge_late;
-  std::vector<std::string> left_out;  // joints whose motion the geometry leaves open: not judged
+  std::optional<program::Guided> late_over_boxes;  // the same margins for boxes of poses, where all of them have them
+  std::vector<std::string> left_out;               // joints whose motion the geometry leaves open: not judged
 };
 
 struct LimitChoice {

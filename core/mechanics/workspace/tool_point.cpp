@@ -82,4 +82,13 @@ ToolPoint::Judge ToolPoint::of_tool(Judge of_machine) const {
   };
 }
 
+program::Guided ToolPoint::of_tool(const program::Guided& of_machine) const {
+  // Guides go through as they are.
+  program::Recorder recorder(program::Program(to_machine_.steps(), of_machine.program.inputs(), to_machine_.outputs()));
+  std::vector<Recorded> inputs;
+  for (int o = 0; o < static_cast<int>(to_machine_.outputs().size()); ++o) inputs.push_back(recorder.output(o));
+  for (int i = to_machine_.inputs(); i < of_machine.program.inputs(); ++i) inputs.push_back(recorder.input(i));
+  return {program::composed(of_machine.program, recorder.finish(inputs)), of_machine.guides, of_tool(of_machine.choose)};
+}
+
 }  // namespace pmreport::mechanics

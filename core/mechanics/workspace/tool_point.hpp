@@ -5,7 +5,7 @@
 #pragma once
 
 #include <core/mechanics/machine/machine.hpp>
-#include <core/program/program.hpp>
+#include <core/program/guided.hpp>
 
 #include <functional>
 #include <optional>
@@ -30,6 +30,7 @@ class ToolPoint {
   // Likewise of what is judged pose by pose (PoseMargins::judge_late).
   using Judge = std::function<void(std::size_t count, const double* poses, double* out)>;
   Judge of_tool(Judge of_machine) const;
+  program::Guided of_tool(const program::Guided& of_machine) const;
 
  private:
   Eigen::Vector3d at_ = Eigen::Vector3d::Zero();

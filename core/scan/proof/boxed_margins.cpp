@@ -1,6 +1,5 @@
 #include <core/scan/proof/boxed_margins.hpp>
 
-#include <core/assertion.hpp>
 #include <core/program/batch.hpp>
 #include <core/program/boxes.hpp>
 #include <core/program/derivative.hpp>
@@ -16,29 +15,41 @@ namespace pmreport::scan {
 
 using program::Bounds, program::Boxes, program::Program;
 
-BoxedMargins::BoxedMargins(const PoseSet& set, const Scan& scan) {
-  if (set.late.size > 0)
+namespace {
+
+Program margins_of(const PoseSet& set) {
+  if (!set.late.over_boxes) return set.margins;
+  const program::Guided& late = *set.late.over_boxes;
+  return joined(Program(set.margins.steps(), late.program.inputs(), set.margins.outputs()), late.program);
+}
+
+}  // namespace
+
+BoxedMargins::BoxedMargins(const PoseSet& set, const Scan& scan) : coordinates_(scan.at.size()) {
+  if (!set.provable())
     throw std::invalid_argument(
         fmt::format("a proof needs margins that a program gives; {} of {} are computed pose by pose", set.late.size, set.size()));
+  if (set.late.over_boxes) guided_ = *set.late.over_boxes;
 
   std::vector<Bounds> inputs;
   for (const double x : scan.at) inputs.push_back(Bounds::exactly(x));
-  std::uint64_t free_inputs = 0;
+  inputs.resize(coordinates_ + guides());
+  std::vector<bool> free_inputs(inputs.size());
+  std::fill(free_inputs.begin() + static_cast<std::ptrdiff_t>(coordinates_), free_inputs.end(), true);
   std::vector<int> by;
   for (std::size_t a = 0; a < scan.points.size(); ++a) {
     const Axis& axis = scan.points[a];
     const auto input = static_cast<std::size_t>(axis.input);
     inputs[input] = {std::min(axis.from, axis.to), std::max(axis.from, axis.to)};
     if (axis.from == axis.to) continue;
-    PMREPORT_ASSERT(input < 64, "a scanned coordinate is one of the first 64");
     axes_.push_back({a, axis.input, inputs[input]});
     by.push_back(axis.input);
-    free_inputs |= std::uint64_t{1} << input;
+    free_inputs[input] = true;
   }
   if (axes_.size() > most_axes)
     throw std::invalid_argument(fmt::format("a proof over {} coordinates at once; {} at most can be scanned", axes_.size(), most_axes));
 
-  const TakenApart apart = taken_apart(set.margins);
+  const TakenApart apart = taken_apart(margins_of(set));
   const program::Split split = program::split(apart.program, free_inputs);
   part_of_ = apart.part_of;
   values_ = split.inner;

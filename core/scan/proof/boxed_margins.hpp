@@ -2,6 +2,7 @@
 #pragma once
 
 #include <core/program/bounds.hpp>
+#include <core/program/guided.hpp>
 #include <core/program/program.hpp>
 #include <core/scan/pose_set.hpp>
 
@@ -20,7 +21,7 @@ struct FreeAxis {
 
 class BoxedMargins {
  public:
-  // Throws std::invalid_argument: the set has late margins, or the scan more free axes than `most_axes`.
+  // Throws std::invalid_argument: the set is not provable, or the scan has more free axes than `most_axes`.
   BoxedMargins(const PoseSet& set, const Scan& scan);
 
   const std::vector<FreeAxis>& axes() const { return axes_; }
@@ -29,15 +30,21 @@ class BoxedMargins {
   int part_of(int margin) const { return part_of_[static_cast<std::size_t>(margin)]; }  // the margin of the set
   std::size_t orientations() const { return fixed_.size(); }
 
-  // Inputs: the coordinates, then what does not change within an orientation. Outputs: the margins; and behind them, the derivative of
-  // margin m by free axis q at margins + m axes + q.
+  // Inputs: the coordinates, then the guides of each box, then what does not change within an orientation. Outputs: the margins; and behind
+  // them, the derivative of margin m by free axis q at margins + m axes + q.
   const program::Program& values() const { return values_; }
   const program::Program& with_partials() const { return with_partials_; }
-  // One an input; of the free ones the whole range.
+  std::size_t coordinates() const { return coordinates_; }
+  std::size_t guides() const { return guided_.guides; }
+  // Guides of boxes, as program::Guided has them.
+  void choose_guides(std::size_t count, const double* middles, double* guides) const { guided_.choose(count, middles, guides); }
+  // One an input; of the free ones the whole range, of guides nothing.
   std::span<const program::Bounds> fixed(std::size_t orientation) const { return fixed_[orientation]; }
 
  private:
   std::vector<FreeAxis> axes_;
+  std::size_t coordinates_ = 0;
+  program::Guided guided_;
   program::Program values_, with_partials_;
   std::vector<int> part_of_;
   std::vector<std::vector<program::Bounds>> fixed_;  // of each orientation

@@ -127,18 +127,23 @@ Within within(const Centred& g, std::span<const Side> sides, std::span<const dou
 }  // namespace
 
 struct Examiner::Runner {
-  Runner(const MarginProgram& what, std::size_t inputs)
+  Runner(const MarginProgram& what, std::size_t inputs, std::size_t coordinates, std::size_t guides)
       : program(&what),
         over(what.with_partials),
         at(what.values),
         in(inputs * most_boxes),
         in_middle(inputs * most_boxes),
         out(what.with_partials.outputs().size() * most_boxes),
-        out_middle(what.values.outputs().size() * most_boxes) {}
+        out_middle(what.values.outputs().size() * most_boxes),
+        guided(std::ranges::any_of(what.inputs, [&](std::uint32_t i) { return coordinates <= i && i < coordinates + guides; })) {
+    if (guided) middles.resize(coordinates * most_boxes), chosen.resize(guides * most_boxes);
+  }
 
   const MarginProgram* program;
   Boxes over, at;
   std::vector<Bounds> in, in_middle, out, out_middle;
+  bool guided;
+  std::vector<double> middles, chosen;
 };
 
 struct Examiner::Batch {
@@ -156,7 +161,8 @@ Examiner::~Examiner() = default;
 Examiner::Runner& Examiner::runner(std::uint32_t number) {
   if (const auto found = runners_.find(number); found != runners_.end()) return *found->second;
   if (runners_.size() >= most_runners) runners_.clear();
-  auto made = std::make_unique<Runner>(programs_.program(number), static_cast<std::size_t>(margins_.values().inputs()));
+  auto made = std::make_unique<Runner>(programs_.program(number), static_cast<std::size_t>(margins_.values().inputs()),
+                                       margins_.coordinates(), margins_.guides());
   return *runners_.emplace(number, std::move(made)).first->second;
 }
 
@@ -194,6 +200,18 @@ void Examiner::fill(const Batch& batch, Runner& runner) {
       runner.in[at] = x;
       runner.in_middle[at] = Bounds::exactly(x.middle());
     }
+  if (!runner.guided) return;
+  const std::size_t coordinates = margins_.coordinates();
+  for (std::size_t i = 0; i < coordinates; ++i)
+    for (std::size_t k = 0; k < count; ++k)
+      runner.middles[i * count + k] = margins_.fixed(batch.questions[batch.numbers[k]].orientation)[i].middle();
+  for (std::size_t q = 0; q < axes; ++q) {
+    const auto i = static_cast<std::size_t>(margins_.axes()[q].input);
+    for (std::size_t k = 0; k < count; ++k) runner.middles[i * count + k] = runner.in_middle[i * count + k].low;
+  }
+  margins_.choose_guides(count, runner.middles.data(), runner.chosen.data());
+  for (std::size_t e = 0; e < margins_.guides() * count; ++e)
+    runner.in[coordinates * count + e] = runner.in_middle[coordinates * count + e] = Bounds::exactly(runner.chosen[e]);
 }
 
 void Examiner::weigh(const Batch& batch, const Runner& runner) {

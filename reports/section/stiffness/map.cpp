@@ -37,13 +37,15 @@ DrawnMap stiffness_map(const Analysis& a, const StiffnessRequest& request, std::
   mechanics::Vector6d load = mechanics::Vector6d::Zero();
   if (loaded) load << a.scenario().load.force.front(), a.scenario().load.moment.front();
   const Eigen::Vector3d gravity = loaded ? a.scenario().load.gravity : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  // The limbs' masses count in frequencies alone, and cost several times the rest.
+  const bool masses = request.limb_inertia && std::ranges::any_of(shown, [](const Column& c) { return c.group == "frequency"; });
   // One number more: 1 where the pose is there and not held.
   const auto numbers = analysis::over_map(map, shown.size() + 1, [&] {
     return [&, statics = std::make_shared<mechanics::Elastostatics>(m), placement = std::vector<double>(m.layout().size())](
                std::span<const double> q, std::span<double> out) mutable {
       if (m.place(PM_VALUE, 1, q.data(), placement.data()) != PM_OK) return;
       const Eigen::VectorXd coordinates = Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
-      const mechanics::ElasticPose pose = statics->at(coordinates, load, gravity, {loaded, request.limb_inertia});
+      const mechanics::ElasticPose pose = statics->at(coordinates, load, gravity, {loaded, masses});
       out.back() = pose.known ? 0 : 1;
       if (!pose.known) return;
       const auto tool = analysis::at_tool(m, pose, placement.data(), request);

@@ -271,12 +271,14 @@ void complete_workspace(scenario::TableReader& table, const Reading& r, scenario
     if (count > 0 && static_cast<double>(n) > count)
       diagnostics.add(at_least->value.place, fmt::format("expected at most the {:.0f} orientations that there are, seen {}", count, n));
   const bool proof_alone = request.methods == std::vector{ScanMethod::proof};
-  const auto is_index = [](const mechanics::AskedLimit& a) {
-    return std::holds_alternative<mechanics::AskedPressure>(a.what) || std::holds_alternative<mechanics::AskedCondition>(a.what) ||
-           std::holds_alternative<mechanics::AskedCompliance>(a.what) || std::holds_alternative<mechanics::AskedTransmission>(a.what);
+  const auto pose_by_pose = [](const mechanics::AskedLimit& a) {
+    return std::holds_alternative<mechanics::AskedCondition>(a.what) || std::holds_alternative<mechanics::AskedCompliance>(a.what) ||
+           a.every;
   };
-  if (const Entry* limit = table.find("limit"); limit != nullptr && proof_alone && std::ranges::any_of(request.limits.asked, is_index))
-    diagnostics.add(limit->place, "no proof looks at an index, and the section has no other method",
+  if (const Entry* limit = table.find("limit"); limit != nullptr && proof_alone && std::ranges::any_of(request.limits.asked, pose_by_pose))
+    diagnostics.add(limit->place,
+                    "no proof looks at condition numbers, at compliances, or at what every orientation must keep, and the section has no "
+                    "other method",
                     "write method = \"grid\" or \"monte-carlo\", alone or besides");
   if (count > 0 && request.at_least.empty()) {
     request.at_least = {1};

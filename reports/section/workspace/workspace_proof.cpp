@@ -94,9 +94,7 @@ document::Proof workspace_proof(const Workspace& w, const mechanics::Machine& ma
       out.lines.push_back(Evidence::without_value(Verdict::not_decided, claim, means, show_bracket(p.volume, w.unit) + "; " + p.why));
   }
   if (w.request.safe && !(w.safe_box && w.safe_box->found) && w.home_inside) {
-    const std::string why = w.set.late.size > 0 ? "a limit on an index or a reading cannot be proved over a box"
-                            : w.safe_box        ? w.safe_box->why
-                                                : "no coordinate has a range";
+    const std::string why = !w.set.provable() ? analysis::unprovable(w) : w.safe_box ? w.safe_box->why : "no coordinate has a range";
     out.lines.push_back(Evidence::not_examined("A safe box around home", "every pose of it, by intervals", why));
   }
   if (!w.not_proved.empty())

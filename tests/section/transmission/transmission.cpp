@@ -176,3 +176,26 @@ TEST_CASE("a workspace may demand a local transmission index, judged pose by pos
   CHECK(value(r, "accepted") == good);
   CHECK_THROWS_WITH(report_of(limited("1.2"), test::only<test::TwoLegs>()), Contains("expected an index from 0 to 1"));
 }
+
+// The sine of the angle at which the feet are seen is at least k between the two circles through both feet on which it is k: of radius
+// d / 2k, with centres at d / 2 sqrt(1 / k^2 - 1) above and below the middle (the angle at the circumference).
+TEST_CASE("the workspace of good transmission is proved, and is the one between two circles") {
+  constexpr double k = 0.7, half = apart / 2, radius = half / k, height = 0.15;
+  const auto r = report_of(
+      "title = \"Two legs\"\n[mechanism]\nuse = \"two-legs\"\n[[section]]\nkind = \"workspace\"\nlimits = [\"strokes\"]\n"
+      "scan = { x = [\"0 mm\", \"300 mm\", 21], y = [\"150 mm\", \"505 mm\", 21] }\npictures = false\n"
+      "[[section.limit]]\nindex = \"transmission\"\nmin = 0.7\n",
+      test::only<test::TwoLegs>());
+  double exact = 0;
+  constexpr int columns = 100'000;
+  for (int i = 0; i < columns; ++i) {
+    const double x = apart * (i + 0.5) / columns - half, reach = radius * radius - x * x;
+    const double middle = half * std::sqrt(1 / (k * k) - 1), upper = middle + std::sqrt(reach), lower = std::sqrt(reach) - middle;
+    exact += std::max(0.0, upper - std::max(lower, height)) * apart / columns;
+  }
+  const double low = value(r, "volume_low"), high = value(r, "volume_high");
+  CHECK(low <= exact + 1e-9);
+  CHECK(exact - 1e-9 <= high);
+  CHECK(high - low < 2e-3 * exact);
+  CHECK_THAT(text_of(section_of(r, "workspace")), !Contains("No volume is proved"));
+}
