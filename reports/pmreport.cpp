@@ -2,6 +2,7 @@
 #include <core/mechanics/machine/machine.hpp>
 #include <core/scan/checkpoint.hpp>
 #include <core/scenario/diagnostic.hpp>
+#include <reports/compare/results.hpp>
 #include <reports/document/write.hpp>
 #include <reports/program/commands.hpp>
 #include <reports/program/scaffold.hpp>
@@ -47,9 +48,17 @@ int run(const Options& options) {
     case program::Command::report:
       listen_to_signals();
       return program::report(options, stop_asked);
+    case program::Command::many:
+      listen_to_signals();
+      return program::many(options, stop_asked);
     case program::Command::limits:
       listen_to_signals();
       return program::limits(options, stop_asked);
+    case program::Command::compare:
+      listen_to_signals();
+      return program::compare(options, stop_asked);
+    case program::Command::approve:
+      return program::approve(options);
     case program::Command::list:
       return program::list(options);
     case program::Command::describe:
@@ -60,6 +69,10 @@ int run(const Options& options) {
       return program::new_mechanism(options);
     case program::Command::classify:
       return program::classify(options);
+    case program::Command::new_scenario:
+      return program::new_scenario(options);
+    case program::Command::schema:
+      return program::schema(options);
   }
   return program::all_well;
 }
@@ -72,6 +85,9 @@ int guarded(F&& f) {
   } catch (const scenario::ScenarioError& e) {
     for (const scenario::Diagnostic& d : e.diagnostics) tell("{}\n", to_string(d));
     if (e.diagnostics.size() > 1) tell("{} errors\n", e.diagnostics.size());
+    return program::bad_scenario;
+  } catch (const compare::InputError& e) {
+    tell("error: {}\n", e.what());
     return program::bad_scenario;
   } catch (const program::ScaffoldError& e) {
     tell("error: {}\n", e.what());
@@ -115,7 +131,8 @@ int main(int argc, char** argv) {
   const std::variant<Options, int> asked = program::read_command_line(argc, argv);
   if (const int* status = std::get_if<int>(&asked)) return *status;
   const Options& options = std::get<Options>(asked);
-  if (const std::optional<int> status = program::run_in_worker(argv, options.timeout)) return *status;
+  if (options.command != program::Command::many)
+    if (const std::optional<int> status = program::run_in_worker(argv, options.timeout)) return *status;
 
   std::optional<tbb::global_control> threads;
   if (options.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));

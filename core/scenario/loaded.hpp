@@ -13,6 +13,8 @@
 
 namespace pmreport::scenario {
 
+struct Asked;  // read/asked.hpp
+
 // Finds a mechanism by its name. `names` are all there are, for "did you mean".
 struct MechanismSource {
   std::function<const pm_mechanism*(const std::string&)> find;
@@ -23,8 +25,9 @@ struct MechanismSource {
 struct Origin {
   const std::filesystem::path& file;
   const MechanismSource& source;
-  Kinds kinds;         // of the sections that it may ask for
-  bool named = false;  // by another scenario, for its mechanism and what that is asked; no report is made of it
+  Kinds kinds;             // of the sections that it may ask for
+  bool named = false;      // by another scenario, for its mechanism and what that is asked; no report is made of it
+  Asked* asked = nullptr;  // notes what the reading asks for, whatever is wrong with the scenario
 };
 
 // A validated scenario, the motion that it asks for, and the machine that it describes. Throws ScenarioError (bad file, exit 2), or

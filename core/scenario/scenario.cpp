@@ -58,8 +58,10 @@ Loaded load_text(const std::string& text, const Origin& origin) {
     refuse_file(shown, "expected a scenario, seen an empty file", smallest_scenario);
 
   Diagnostics diagnostics(shown, text);
-  const Reader reader(diagnostics);
-  const Value document = parse_document(text, shown, diagnostics);
+  const Reader reader(diagnostics, origin.asked);
+  const auto parsed = std::make_shared<const Value>(parse_document(text, shown, diagnostics));
+  const Value& document = *parsed;
+  if (origin.asked != nullptr) origin.asked->document = parsed;
   TableReader table(document, "the scenario", {}, reader);
 
   Loaded out;
@@ -72,6 +74,9 @@ Loaded load_text(const std::string& text, const Origin& origin) {
     diagnostics.add(title->value.place, "expected a title, seen an empty text");
   s.author = text_or_nothing(table.find("author"), reader);
   s.description = text_or_nothing(table.find("description"), reader);
+  if (const Entry* detail = table.find("detail"))
+    if (const auto which = reader.word(detail->value, {"brief", "engineering", "full"}, "the levels of detail"))
+      s.detail = static_cast<Detail>(*which);
 
   MechanismPart mechanism = read_mechanism(table.find("mechanism"), origin.source, reader);
   const Entry *motion_at = table.find("motion"), *load_at = table.find("load"), *drive = table.find("drive"),

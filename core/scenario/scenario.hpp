@@ -15,8 +15,12 @@
 
 namespace pmreport::scenario {
 
+// How much of the report is shown: the worst alone, long tables at the end, or all.
+enum class Detail { brief, engineering, full };
+
 struct Scenario {
   std::string title, author, description;
+  Detail detail = Detail::engineering;
   std::filesystem::path file;  // as given
   std::string text;            // the file itself, for the report
   std::string mechanism;       // name

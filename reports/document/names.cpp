@@ -65,6 +65,7 @@ std::vector<const figure::Figure*> figures_of(const Report& r) {
 
 std::vector<const Picture*> pictures_of(const Report& r) {
   std::vector<const Picture*> all;
+  if (r.cover) all.push_back(&*r.cover);
   each_block<Gallery>(r, [&](const Gallery& gallery) {
     for (const Picture& picture : gallery.pictures) all.push_back(&picture);
   });

@@ -23,6 +23,6 @@ std::vector<std::string> files_of(const Names& names);
 std::string data_file(const Report& r, const Names& names, const figure::Figure& f);
 
 std::vector<const figure::Figure*> figures_of(const Report& r);
-std::vector<const Picture*> pictures_of(const Report& r);
+std::vector<const Picture*> pictures_of(const Report& r);  // the cover first
 
 }  // namespace pmreport::document

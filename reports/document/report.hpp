@@ -27,6 +27,7 @@ struct Table {
   std::vector<std::string> headings;  // with unit: "stroke min [mm]"
   std::vector<bool> numeric;          // column is aligned right
   std::vector<std::vector<std::string>> rows;
+  bool ranked = false;  // the first rows matter most
 };
 
 struct Picture {        // a snapshot
@@ -120,6 +121,35 @@ struct Value {  // a scalar result for results.json
   double value = 0;
 };
 
+// A number that tells at a glance how the machine does, against what limits it.
+struct KeyNumber {
+  std::string what;                                         // "largest force of an actuator"
+  std::string value;                                        // "312 N"
+  std::string limit = {};                                   // "limit 400 N", "stroke 850 mm to 1490 mm"; empty: nothing limits it
+  std::string where = {};                                   // "l₃, t = 1.2 s"; empty: of the whole
+  std::string section = {};                                 // id of the section that shows it
+  double used = std::numeric_limits<double>::quiet_NaN();   // share of the limit, more than 1 beyond it; NaN: no limit
+  double number = 0;                                        // SI
+  double bound = std::numeric_limits<double>::quiet_NaN();  // the end of the limit that is nearer, SI
+  std::string unit = {};                                    // SI
+
+  bool limited() const { return std::isfinite(used); }
+  bool broken() const { return used > 1; }
+};
+
+// What a hurried reader must know: a sentence with its number and when.
+struct Finding {
+  enum class Kind {
+    fault,         // a limit broken, a pose out of reach, a loss of control
+    disagreement,  // with what was published
+    surprise,      // of proportion
+    result
+  } kind = Kind::result;
+  std::string text;
+  std::string section = {};  // id of the section that shows it; empty: none does
+};
+const char* name_of(Finding::Kind kind);  // "fault"
+
 struct Provenance {              // nothing of it may differ between two runs of the same thing
   std::string program, version;  // "pmreport", "1.0.0"
   std::string mechanism, plugin_build, scenario_name, scenario_sha256;
@@ -129,7 +159,12 @@ struct Report {
   std::string title, author, description;
   std::string mechanism_title, source;
   std::string scenario_text;
-  std::vector<Paragraph> summary;  // what a hurried reader must know, worst first
+  std::vector<KeyNumber> key_numbers;    // a handful, what is nearest to its limit first
+  std::vector<Finding> findings;         // worst first
+  std::vector<Paragraph> summary;        // what was asked: motion, load, proof
+  std::vector<std::string> assumptions;  // what all of it rests on, a sentence each
+  std::vector<std::string> not_asked;    // kinds of examination that the scenario leaves out: "stiffness"
+  std::optional<Picture> cover;          // of the machine
   std::vector<Section> sections;
   std::vector<Data> data;
   std::vector<File> files;

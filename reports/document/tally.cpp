@@ -1,5 +1,8 @@
 #include <reports/document/tally.hpp>
 
+#include <core/text/text.hpp>
+#include <reports/document/finding.hpp>
+
 #include <algorithm>
 #include <numeric>
 
@@ -34,6 +37,20 @@ Tally tally_evidence(const Report& r) {
 
 bool Report::passed() const { return tally_checks(*this).failed() == 0 && tally_evidence(*this).failed() == 0; }
 
+const char* name_of(Finding::Kind kind) {
+  switch (kind) {
+    case Finding::Kind::fault:
+      return "fault";
+    case Finding::Kind::disagreement:
+      return "disagreement";
+    case Finding::Kind::surprise:
+      return "surprise";
+    case Finding::Kind::result:
+      break;
+  }
+  return "result";
+}
+
 std::string word_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::passed:
@@ -59,6 +76,38 @@ std::string counted(const Tally& tally, std::initializer_list<Verdict> which) {
     if (n == 0) continue;
     out += (out.empty() ? "" : ", ") + std::to_string(n) + " " + word_of(v) + (v == Verdict::error && n > 1 ? "s" : "");
   }
+  return out;
+}
+
+std::vector<std::string> unexamined(const Report& r) {
+  constexpr std::size_t most = 5;
+  std::vector<std::string> out;
+  for (const Section& s : r.sections)
+    for (const Block& block : s.blocks)
+      if (const auto* proof = std::get_if<Proof>(&block))
+        for (const Evidence& e : proof->lines)
+          if (e.verdict() == Verdict::not_examined || e.verdict() == Verdict::not_decided)
+            out.push_back(s.title + ": " + e.claim + " (" + word_of(e.verdict()) + (e.reason.empty() ? "" : ": " + e.reason) + ").");
+  if (out.size() > most) {
+    const std::size_t more = out.size() - most;
+    out.resize(most);
+    out.push_back(std::to_string(more) + " more in the sections.");
+  }
+  if (r.not_asked.empty()) return out;
+  out.push_back("Not asked of this report: " + listed(r.not_asked, "and") + ".");
+  return out;
+}
+
+std::vector<Failure> failures_of(const Report& r) {
+  std::vector<Failure> out;
+  for (const Check& c : r.checks)
+    if (!c.passed) out.push_back({c.name, c.measured, c.limit, c.message, ""});
+  for (const Section& s : r.sections)
+    for (const Block& block : s.blocks)
+      if (const auto* proof = std::get_if<Proof>(&block))
+        for (const Evidence& e : proof->lines)
+          if (e.failed() && !told_by_a_check(r, e))
+            out.push_back({s.title + ": " + e.claim, number_shown(e, e.value), number_shown(e, e.tolerance), how_it_is_shown(e), s.id});
   return out;
 }
 

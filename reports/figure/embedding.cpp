@@ -77,10 +77,7 @@ std::string title_of(const Figure& figure) {
     if (!panel.title.empty()) title += (title.empty() ? "" : ", ") + panel.title;
   }
   if (title.empty()) title = figure.id;
-  // XML 1.0 has no control characters, not even escaped.
-  title.erase(std::remove_if(title.begin(), title.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }),
-              title.end());
-  return escape_markup(title);
+  return as_xml(title);
 }
 
 }  // namespace

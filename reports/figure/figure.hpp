@@ -75,4 +75,7 @@ struct Figure {
   std::vector<Panel> panels;
 };
 
+// What a panel is called in a figure that has several: a, b, ... z, aa.
+std::string panel_letter(std::size_t panel);
+
 }  // namespace pmreport::figure

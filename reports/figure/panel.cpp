@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <pango/pangocairo.h>
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 
 #include <reports/figure/layout/layout.hpp>
 #include <reports/figure/palette.hpp>
+#include <reports/figure/parts.hpp>
 #include <reports/figure/shading.hpp>
 #include <reports/figure/text.hpp>
 
@@ -178,8 +180,11 @@ void draw_absence(cairo_t* cr, const PanelLayout& layout) {
 }  // namespace
 
 void draw_panel(cairo_t* cr, const Panel& panel, const PanelLayout& layout) {
+  const Box& frame = layout.frame;
+  begin_part(cr, fmt::format("class=\"panel\" data-frame=\"{:.2f} {:.2f} {:.2f} {:.2f}\" data-x=\"{} {}\" data-y=\"{} {}\"", frame.x,
+                             frame.y, frame.width, frame.height, layout.x.low, layout.x.high, layout.y.low, layout.y.high));
   cairo_save(cr);
-  cairo_translate(cr, layout.frame.x, layout.frame.y);
+  cairo_translate(cr, frame.x, frame.y);
   if (panel.map) draw_map(cr, *panel.map, layout.window);
   shade(cr, layout.unreachable_bands, Band::Kind::unreachable);
   shade(cr, layout.limit_bands, Band::Kind::limit);
@@ -194,8 +199,10 @@ void draw_panel(cairo_t* cr, const Panel& panel, const PanelLayout& layout) {
     const Series& series = panel.series[i];
     const double radius = series.points ? mark_radius : dot_radius;
     const int style = style_of(series, i);
+    begin_part(cr, fmt::format("class=\"curve\" data-series=\"{}\"", i));
     if (panel.map) draw_casing(cr, layout.traces[i], radius);
-    draw_curve(cr, layout.traces[i], panel.map ? line_over_map(style) : line_style(style), radius, layout.frame.height);
+    draw_curve(cr, layout.traces[i], panel.map ? line_over_map(style) : line_style(style), radius, frame.height);
+    end_part(cr);
   }
   draw_line_labels(cr, layout);
   draw_names(cr, layout.named);
@@ -205,8 +212,9 @@ void draw_panel(cairo_t* cr, const Panel& panel, const PanelLayout& layout) {
   draw_numbers(cr, layout);
   draw_titles(cr, panel, layout);
   draw_heading(cr, layout);
-  if (panel.map) draw_bar(cr, *panel.map, layout.bar, layout.frame.width + bar_gap, layout.frame.height);
+  if (panel.map) draw_bar(cr, *panel.map, layout.bar, frame.width + bar_gap, frame.height);
   cairo_restore(cr);
+  end_part(cr);
 }
 
 }  // namespace pmreport::figure

@@ -10,6 +10,7 @@
 #include <reports/figure/embedding.hpp>
 #include <reports/figure/layout/layout.hpp>
 #include <reports/figure/layout/offsets.hpp>
+#include <reports/figure/parts.hpp>
 
 namespace pmreport::figure {
 namespace {
@@ -25,11 +26,10 @@ void require_success(cairo_status_t status, const Figure& figure) {
   }
 }
 
-void draw_and_finish(cairo_surface_t* surface, const Figure& figure, const Layout& layout) {
-  const Context cr{cairo_create(surface)};
-  draw_layout(cr.get(), figure, layout);
-  cairo_show_page(cr.get());
-  require_success(cairo_status(cr.get()), figure);
+void draw_and_finish(cairo_t* cr, cairo_surface_t* surface, const Figure& figure, const Layout& layout) {
+  draw_layout(cr, figure, layout);
+  cairo_show_page(cr);
+  require_success(cairo_status(cr), figure);
   cairo_surface_finish(surface);
   require_success(cairo_surface_status(surface), figure);
 }
@@ -61,7 +61,7 @@ std::string to_pdf(const Figure& figure) {
   std::string pdf;
   const Surface surface{cairo_pdf_surface_create_for_stream(append, &pdf, layout.size.width, layout.size.height)};
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, date_asked);
-  draw_and_finish(surface.get(), as_drawn, layout);
+  draw_and_finish(Context{cairo_create(surface.get())}.get(), surface.get(), as_drawn, layout);
   mend_date(pdf);
   return pdf;
 }
@@ -72,8 +72,10 @@ std::string to_svg(const Figure& figure) {
   std::string svg;
   const Surface surface{cairo_svg_surface_create_for_stream(append, &svg, layout.size.width, layout.size.height)};
   cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PT);
-  draw_and_finish(surface.get(), as_drawn, layout);
-  return embeddable_svg(svg, figure);
+  const Context cr{cairo_create(surface.get())};
+  const Parts parts(cr.get());
+  draw_and_finish(cr.get(), surface.get(), as_drawn, layout);
+  return parts.put_into(embeddable_svg(svg, figure));
 }
 
 }  // namespace pmreport::figure

@@ -1,4 +1,5 @@
 #include <core/text/text.hpp>
+#include <reports/figure/parts.hpp>
 #include <reports/figure/text.hpp>
 
 #include <stdexcept>
@@ -89,7 +90,7 @@ void set_markup(PangoLayout* layout, const char* markup) {
 }  // namespace
 
 Text::Text(cairo_t* cr, const std::string& text, const Font& font, double width, bool markup)
-    : cr_(cr), layout_(pango_cairo_create_layout(cr)) {
+    : cr_(cr), size_(font.size), layout_(pango_cairo_create_layout(cr)) {
   detach_from_machine(pango_layout_get_context(layout_.get()));
   pango_layout_context_changed(layout_.get());
   const FontDescription description = describe(font);
@@ -118,11 +119,17 @@ int Text::lines() const { return pango_layout_get_line_count(layout_.get()); }
 void Text::show(double x, double y) const {
   cairo_move_to(cr_, x, y);
   pango_cairo_show_layout(cr_, layout_.get());
+  keep_words(cr_, layout_.get(), size_, x, y);
 }
 
 std::string escape_markup(const std::string& plain) {
   const OwnedString escaped{g_markup_escape_text(drawable(plain).c_str(), -1)};
   return escaped.get();
+}
+
+std::string as_xml(std::string plain) {
+  std::erase_if(plain, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
+  return escape_markup(plain);
 }
 
 }  // namespace pmreport::figure

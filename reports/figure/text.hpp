@@ -31,9 +31,12 @@ class Text {
     void operator()(PangoLayout* p) const { g_object_unref(p); }
   };
   cairo_t* cr_;
+  double size_;
   std::unique_ptr<PangoLayout, Unref> layout_;
 };
 
 std::string escape_markup(const std::string& plain);
+// As the content of an element, and without the control characters that XML 1.0 has not, not even escaped.
+std::string as_xml(std::string plain);
 
 }  // namespace pmreport::figure

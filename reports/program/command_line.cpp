@@ -1,32 +1,53 @@
 #include <reports/program/command_line.hpp>
 
+#include <reports/program/cli/spoken.hpp>
 #include <reports/program/terminal.hpp>
 
+#include <core/text/text.hpp>
+
+#include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
+#include <cmath>
+
 namespace pmreport::program {
+
+namespace {
+
+// CLI11 has it as well, and takes "nan".
+std::string not_negative(const std::string& text) {
+  double value = -1;
+  const bool is_number = CLI::detail::lexical_cast(text, value);
+  return is_number && value >= 0 && std::isfinite(value) ? "" : "expected a number of 0 or above; seen " + in_quotes(text);
+}
+
+}  // namespace
 
 std::variant<Options, int> read_command_line(int argc, char** argv) {
   CLI::App app("pmreport: reports about parallel manipulators that an engineer can believe", "pmreport");
   app.set_version_flag("--version", std::string("pmreport ") + PMREPORT_VERSION);
   Options options;
-  std::string name;
-  app.add_option("scenario", options.scenario, "scenario to report on, a TOML file");
-  app.add_option("-o,--out", options.out, "folder of the report (default: the scenario's name with -report, here)");
+  std::string name, folder, shell;
+  app.add_option("scenario", options.scenarios, "scenario to report on, a TOML file; of several each gets its report, with an index");
+  app.add_option("-o,--out", options.out,
+                 "folder of the report (default: the scenario's name with -report, here), or of several (default: reports)");
   app.add_flag("--check", options.check_only, "validate the scenario only; write nothing");
   app.add_flag("-q,--quiet", options.quiet, "print errors only");
-  app.add_option("--plugin-path", options.plugin_path, "folder with plugins, searched first; may be repeated");
+  app.add_option("--plugin-path", options.plugin_path, "folder with plugins, searched first; may be repeated")->allow_extra_args(false);
   app.add_option("--threads", options.threads, "threads to use (default: all cores); the report does not depend on it")
       ->check(CLI::PositiveNumber);
   app.add_flag("--resume", options.resume, "let long scans go on where an interrupted run of the same scenario stopped");
   app.add_option("--timeout", options.timeout, "give up after so many seconds (default: never)")->check(CLI::PositiveNumber);
+  app.add_option("--baseline", options.baseline, "results that the report must agree with: results.json, or the folder of a report");
+  app.add_option("--relative", options.relative, "tolerance of a comparison, of the larger value (default 1e-6)")->check(not_negative);
+  app.add_option("--absolute", options.absolute, "tolerance of a comparison, SI (default 1e-12)")->check(not_negative);
 
   CLI::App* list_command = app.add_subcommand("list", "list the mechanisms and their files");
   CLI::App* describe_command = app.add_subcommand("describe", "describe a mechanism: coordinates, actuators, parameters, joints");
-  describe_command->add_option("name", name, "mechanism, or the path of a plugin library")->required();
+  describe_command->add_option("name", name, "mechanism, or the path of a plugin library")->required()->type_name(mechanism_argument);
   describe_command->add_flag("--json", options.json, "for programs");
   CLI::App* check_command = app.add_subcommand("check", "run the property suite over mechanisms");
-  check_command->add_option("name", options.names, "mechanisms, or the paths of plugin libraries");
+  check_command->add_option("name", options.names, "mechanisms, or the paths of plugin libraries")->type_name(mechanism_argument);
   check_command->add_flag("--all", options.check_all, "every mechanism found");
   check_command->add_option("--poses", options.poses, "random poses (default 1000)")->check(CLI::Range(0, 1000000));
   check_command->add_option("--parameters", options.parameters, "of the mechanism, as in a scenario: 'base_radius = \"400 mm\", ...'");
@@ -35,6 +56,9 @@ std::variant<Options, int> read_command_line(int argc, char** argv) {
   CLI::App* new_mechanism_command = new_command->add_subcommand("mechanism", "write a folder with a small mechanism that builds and runs");
   new_mechanism_command->add_option("name", name, "of the mechanism: lower-case letters, digits, dashes")->required();
   new_mechanism_command->add_option("--folder", options.folder, "where its folder is made (default: here)");
+  CLI::App* new_scenario_command = new_command->add_subcommand("scenario", "print a scenario of a mechanism that passes as it stands");
+  new_scenario_command->add_option("mechanism", name, "by its name")->required()->type_name(mechanism_argument);
+  new_scenario_command->add_option("-o,--out", options.out, "new file to write it to (default: standard output)");
   CLI::App* classify_command = app.add_subcommand("classify", "list the class of parallel-cross mechanisms");
   classify_command->add_flag("--json", options.json, "for programs");
   CLI::App* limits_command = app.add_subcommand("limits", "print the safe box around home as settings of a controller");
@@ -42,7 +66,26 @@ std::variant<Options, int> read_command_line(int argc, char** argv) {
   limits_command->add_option("--format", options.format, "toml, linuxcnc (HAL) or klipper (default: toml)")
       ->check(CLI::IsMember({"toml", "linuxcnc", "klipper"}));
   limits_command->add_option("--axes", options.axes, "letters of the controller's axes for coordinates besides x, y and z: alpha=c,beta=a");
-  for (CLI::App* c : {limits_command, list_command, describe_command, check_command, new_command, new_mechanism_command, classify_command})
+  CLI::App* schema_command = app.add_subcommand("schema", "print the JSON Schema of scenarios, for editors that complete and check them");
+  schema_command->add_option("mechanism", name, "whose coordinates, parameters and joints it shall know (default: of any mechanism)")
+      ->type_name(mechanism_argument);
+  CLI::App* compare_command = app.add_subcommand("compare", "hold reports against each other: values, checks, evidence, curves");
+  compare_command->add_option("reports", options.names, "folders of reports, results.json files or scenarios, two to 26")
+      ->required()
+      ->expected(2, 26)
+      ->option_text("A B ...");
+  compare_command->add_option("-o,--out", options.out, "folder for compare.html, a page with the curves as well");
+  compare_command->add_option("--relative", options.relative, "tolerance, of the larger value (default 1e-6)")->check(not_negative);
+  compare_command->add_option("--absolute", options.absolute, "tolerance, SI (default 1e-12)")->check(not_negative);
+  CLI::App* approve_command = app.add_subcommand("approve", "make the results of a report the baseline that later ones are held against");
+  approve_command->add_option("report", folder, "folder of the report, or its results.json")->required();
+  approve_command->add_option("baseline", name, "file of the baseline, new or an earlier one")->required();
+  approve_command->add_flag("--failed", options.failed_too, "also when the report did not pass");
+  CLI::App* completion_command = app.add_subcommand("completion", "print a script that completes pmreport in a shell");
+  completion_command->add_option("shell", shell, "bash, zsh or fish")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  CLI::App* man_command = app.add_subcommand("man", "print the manual page: pmreport man | man -l -");
+  for (CLI::App* c : {completion_command, man_command, new_scenario_command, compare_command, approve_command, schema_command,
+                      limits_command, list_command, describe_command, check_command, new_command, new_mechanism_command, classify_command})
     c->fallthrough();
 
   try {
@@ -51,12 +94,25 @@ std::variant<Options, int> read_command_line(int argc, char** argv) {
     const int status = app.exit(e);
     return status == 0 ? all_well : bad_scenario;
   }
-  if (*describe_command || *new_mechanism_command) options.names = {name};
-  const std::pair<CLI::App*, Command> commands[] = {{list_command, Command::list},         {describe_command, Command::describe},
+  if (*completion_command || *man_command) {
+    fmt::print("{}", *man_command ? manual(spoken(app), PMREPORT_VERSION) : completion(spoken(app), shell));
+    return all_well;
+  }
+  if (*describe_command || *new_mechanism_command || *schema_command || *new_scenario_command) options.names = {name};
+  if (*approve_command) options.names = {folder, name};
+  const std::pair<CLI::App*, Command> commands[] = {{compare_command, Command::compare},   {approve_command, Command::approve},
+                                                    {list_command, Command::list},         {describe_command, Command::describe},
                                                     {check_command, Command::check},       {new_mechanism_command, Command::new_mechanism},
-                                                    {classify_command, Command::classify}, {limits_command, Command::limits}};
+                                                    {classify_command, Command::classify}, {limits_command, Command::limits},
+                                                    {schema_command, Command::schema},     {new_scenario_command, Command::new_scenario}};
   for (const auto& [asked, command] : commands)
     if (*asked) options.command = command;
+  if (options.command == Command::report && !options.scenarios.empty()) options.scenario = options.scenarios.front();
+  if (options.command == Command::report && options.scenarios.size() > 1) options.command = Command::many;
+  if (options.command != Command::report && !options.baseline.empty()) {
+    tell("error: --baseline: expected with one scenario: pmreport SCENARIO --baseline RESULTS\n");
+    return bad_scenario;
+  }
   if (options.command == Command::report && options.scenario.empty()) {
     tell("{}", app.help());
     return bad_scenario;

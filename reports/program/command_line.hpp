@@ -11,7 +11,7 @@ namespace pmreport::program {
 // Part of the interface, in README.md.
 enum ExitStatus { all_well = 0, gate_failed = 1, bad_scenario = 2, plugin_failed = 3, output_failed = 4, resource_limit = 5 };
 
-enum class Command { report, list, describe, check, new_mechanism, classify, limits };
+enum class Command { report, many, list, describe, check, new_mechanism, classify, limits, schema, new_scenario, compare, approve };
 
 struct Options {
   Command command = Command::report;
@@ -20,13 +20,19 @@ struct Options {
   double timeout = 0;  // [s]; 0: none
   // report
   std::string scenario, out;
+  std::vector<std::string> scenarios;  // of several reports
   bool check_only = false, quiet = false;
-  bool resume = false;  // long scans go on with what an interrupted run has left
+  bool resume = false;   // long scans go on with what an interrupted run has left
+  std::string baseline;  // results that those of the report are held against; empty: none
+  // report with a baseline, compare, approve: as of compare::Tolerance
+  double relative = 1e-6, absolute = 1e-12;
+  bool failed_too = false;  // approve: also the results of a report that did not pass
   // limits
   std::string format = "toml", axes;  // settings of which controller; letters of its axes, "alpha=c,beta=a"
   // describe, classify
   bool json = false;
-  // describe, new mechanism: one; check: several, or all
+  // describe, new mechanism, new scenario: one; schema: one, or none as an empty name; check: several, or all;
+  // compare: the reports; approve: the report and its baseline
   std::vector<std::string> names;
   bool check_all = false;
   int poses = 1000;

@@ -20,6 +20,11 @@ int check(const Options& options);
 int new_mechanism(const Options& options);
 int classify(const Options& options);
 int limits(const Options& options, bool (*stop)());
+int compare(const Options& options, bool (*stop)());  // scenarios among the reports are run, and leave nothing behind
+int approve(const Options& options);
+int many(const Options& options, bool (*stop)());  // not to be run in a worker: it runs one for each scenario
+int schema(const Options& options);
+int new_scenario(const Options& options);
 
 // Warns of plugins that were found and refused.
 void tell_refused(const host::Catalog& catalog);

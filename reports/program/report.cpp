@@ -1,5 +1,8 @@
 #include <core/scenario/loaded.hpp>
+#include <core/text/text.hpp>
+#include <reports/compare/words.hpp>
 #include <reports/document/finding.hpp>
+#include <reports/document/levels.hpp>
 #include <reports/document/tally.hpp>
 #include <reports/document/write.hpp>
 #include <reports/program/commands.hpp>
@@ -10,6 +13,7 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <optional>
 
 namespace pmreport::program {
 
@@ -37,12 +41,27 @@ void print_verdict(const document::Report& report, const std::string& folder) {
   if (report.every_instant) fmt::print("{}\n", report.every_instant->sentence);
 }
 
+// Whether a report agrees with the baseline; what does not is told a line each.
+bool agrees(const document::Report& report, const std::string& folder, const compare::Results& baseline, const Options& options) {
+  const std::vector<compare::Results> both{baseline, compare::results_of(report, folder)};
+  const compare::Comparison comparison = compare::compare(both, {options.relative, options.absolute});
+  if (options.quiet) return comparison.agree;
+  for (const std::string& line : compare::baseline_lines(comparison)) fmt::print("FAILED  baseline: {}\n", line);
+  fmt::print("baseline {}: {}\n", printable(options.baseline), compare::verdict(comparison));
+  if (!comparison.agree)
+    fmt::print("What is meant to be so becomes the baseline by: pmreport approve {} BASELINE_FILE\n", printable(folder));
+  return comparison.agree;
+}
+
 // Beside the report, not in it: the report is written when all is known.
 std::filesystem::path checkpoints_of(const std::string& folder) { return folder + ".checkpoints"; }
 
 }  // namespace
 
 int report(const Options& options, bool (*stop)()) {
+  // Before the report is made: a folder may be its own baseline, and a bad one is told at once.
+  const std::optional<compare::Results> baseline =
+      options.baseline.empty() ? std::nullopt : std::optional(compare::read_report(options.baseline));
   const host::Catalog catalog(host::search_folders(options.plugin_path));
   tell_refused(catalog);
   const scenario::Loaded loaded = scenario::load(options.scenario, source_of(catalog), section::kinds());
@@ -60,14 +79,17 @@ int report(const Options& options, bool (*stop)()) {
                                      if (stop()) throw document::Interrupted("interrupted");
                                    },
                                    checkpoints_of(folder), options.resume};
-  const document::Report report = section::make_report(loaded, PMREPORT_VERSION, catalog.find(loaded.scenario.mechanism)->build, progress);
+  const document::Report report =
+      document::arranged(section::make_report(loaded, PMREPORT_VERSION, catalog.find(loaded.scenario.mechanism)->build, progress),
+                         static_cast<document::Detail>(loaded.scenario.detail));
   terminal.say("writing " + folder);
   document::write(report, folder, stop);
   std::error_code none_there;
   std::filesystem::remove_all(checkpoints_of(folder), none_there);
   terminal.clear();
   if (!options.quiet) print_verdict(report, folder);
-  return report.passed() ? all_well : gate_failed;
+  const bool as_before = !baseline || agrees(report, folder, *baseline, options);
+  return report.passed() && as_before ? all_well : gate_failed;
 }
 
 }  // namespace pmreport::program

@@ -165,8 +165,10 @@ document::Check demand(const std::string& name, int broken, const std::string& m
 document::Check limits_kept(const Analysis& a) {
   const LimitCount n = count_limits(a);
   const std::vector<std::string> sentences = limit_sentences(a);
-  document::Check c = demand("limits of forces, speeds, powers and reactions are kept", n.broken,
-                             fmt::format("{} of {} samples", n.broken, a.samples()), sentences.empty() ? "" : sentences.front());
+  document::Check c =
+      demand("limits of forces, speeds, powers and reactions are kept", n.broken,
+             fmt::format("at {} of {} samples", n.judged - n.broken, a.samples()), sentences.empty() ? "" : sentences.front());
+  c.limit = "at all";
   if (n.judged == 0 && n.broken == 0) c.passed = false, c.message = "no sample has forces to hold against the limits";
   return c;
 }
@@ -194,7 +196,8 @@ std::string between_samples(const Analysis& a, const ProvedClaim& c) {
   return fmt::format(", first between the samples t = {} and t = {}", show_time(a, next - 1), show_time(a, next));
 }
 
-std::string of_samples(const Analysis& a, int broken) { return fmt::format("{} of {} samples", broken, a.samples()); }
+// How many keep it.
+std::string of_samples(const Analysis& a, int broken) { return fmt::format("at {} of {} samples", a.samples() - broken, a.samples()); }
 // Where a claim is proved to hold.
 const char* proved_words(const Proved& p) {
   return p.holds(ProvedClaim::About::assembled) ? "at every instant (proved)" : "wherever it can be assembled (proved)";
@@ -206,6 +209,7 @@ std::string first(const std::vector<std::string>& sentences) { return sentences.
 document::Check demand_always(const Analysis& a, const Proved& p, const char* name, int broken, const std::string& message,
                               std::initializer_list<ProvedClaim::About> kinds) {
   document::Check c = demand(name, broken, of_samples(a, broken), message);
+  c.limit = "at all";
   if (broken > 0 || !p.proof.unexamined.empty()) return c;
   std::size_t stretches = 0, claims = 0;
   bool all_hold = true;
@@ -234,8 +238,9 @@ document::Check regularity(const Analysis& a, const Proved& p) {
   int met = singularities_met(a);
   if (met == 0 && !lost.empty()) met = 1;
   const std::vector<std::string> sentences = singularity_sentences(a);
-  document::Check c =
-      demand(demands::regularity, met, plural(met, "time"), sentences.empty() ? as_sentence(first(lost)) : sentences.front());
+  document::Check c = demand(demands::regularity, met, met == 0 ? "never" : plural(met, "time"),
+                             sentences.empty() ? as_sentence(first(lost)) : sentences.front());
+  c.limit = "never";
   if (c.passed && p.holds(ProvedClaim::About::regular))
     c.message = fmt::format("det G keeps its sign {}; the constraints of all bodies are judged at the samples.", proved_words(p));
   return c;

@@ -15,11 +15,11 @@ class Stage;
 // A section, and what it gives besides itself.
 struct Result {
   document::Section section;
-  std::vector<document::Value> values = {};  // its quantities: `section` the kind, `name` without it
-  std::vector<document::Data> data = {};     // data files, besides the one of its columns
-  std::vector<document::File> files = {};    // files of other formats
-  std::vector<document::Check> checks = {};  // gates of its own
-  std::vector<std::string> summary = {};     // what a hurried reader must know of it, a sentence each
+  std::vector<document::Value> values = {};      // its quantities: `section` the kind, `name` without it
+  std::vector<document::Data> data = {};         // data files, besides the one of its columns
+  std::vector<document::File> files = {};        // files of other formats
+  std::vector<document::Check> checks = {};      // gates of its own
+  std::vector<document::Finding> findings = {};  // what a hurried reader must know of it; the section is told by the report
 };
 
 // What a section is made of, besides what the scenario says of it.

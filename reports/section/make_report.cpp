@@ -1,79 +1,24 @@
 #include <reports/document/data/sha256.hpp>
 #include <reports/section/checks.hpp>
-#include <reports/section/common/limits.hpp>
 #include <reports/section/common/motion_words.hpp>
 #include <reports/section/common/plots.hpp>
 #include <reports/section/common/proof_words.hpp>
-#include <reports/section/common/remarks.hpp>
-#include <reports/section/common/singular_words.hpp>
 #include <reports/section/common/stage.hpp>
-#include <reports/section/common/words.hpp>
 #include <reports/section/every_instant/every_instant.hpp>
+#include <reports/section/front/front.hpp>
 #include <reports/section/kinds.hpp>
 #include <reports/section/make_report.hpp>
 #include <reports/section/overview.hpp>
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <map>
 
 namespace pmreport::section {
 
-using document::Paragraph;
 using document::Report;
 
 namespace {
-
-// What is proved of the motion and no warning tells.
-void tell_proof(const Proved& p, std::vector<Paragraph>& out) {
-  const bool all = p.proof.unexamined.empty() && std::ranges::all_of(p.proof.claims, [](const ProvedClaim& c) {
-                     return c.state == ProvedClaim::State::holds || c.state == ProvedClaim::State::broken;
-                   });
-  if (std::string sentence = remaining_sentence(p); !sentence.empty())
-    out.push_back({all ? Paragraph::Tone::plain : Paragraph::Tone::note, std::move(sentence)});
-}
-
-std::vector<Paragraph> summary(const Analysis& a, const Proved& p, const std::vector<analysis::Unseen>& unseen, const Report& r) {
-  std::vector<Paragraph> out;
-  const auto warn = [&](const std::string& text) { out.push_back({Paragraph::Tone::warning, text}); };
-  for (const std::string& s : assembly_sentences(a, p)) warn(s);
-  for (const std::string& s : singularity_sentences(a)) warn(s);
-  for (const std::string& s : nearness_sentences(a)) warn(s);
-  for (const std::string& s : jump_sentences(a)) warn(s);
-  for (const std::string& s : unseen_sentences(a, unseen)) warn(s);
-  for (const std::string& s : range_sentences(a, p)) warn(s);
-  for (const std::string& s : limit_sentences(a)) warn(s);
-  for (const std::string& s : remark_sentences(a)) warn(s);
-  for (const document::Check& c : r.checks)
-    if (!c.passed && c.line > 0) warn("Check failed: " + c.message + ".");
-  constexpr std::size_t shown = 12;
-  if (out.size() > shown) {
-    const std::size_t more = out.size() - shown;
-    out.resize(shown);
-    out.push_back({Paragraph::Tone::warning, fmt::format("{} more in the sections.", plural(static_cast<int>(more), "warning"))});
-  }
-  const auto joined = [](std::string lines) {
-    for (std::size_t at = 0; (at = lines.find('\n', at)) != std::string::npos;) lines.replace(at, 1, at + 1 < lines.size() ? "; " : "");
-    return lines;
-  };
-  const auto tell = [&](const std::string& text) { out.push_back({Paragraph::Tone::plain, text}); };
-  if (!a.scenario().motion) {
-    tell(fmt::format("No motion is prescribed; {} degrees of freedom.", a.machine().dof()));
-    return out;
-  }
-  tell_proof(p, out);
-  const scenario::MotionRequest& motion = *a.scenario().motion;
-  const std::string& ending = a.trajectory().ending;
-  if (motion.until_singularity && !ending.empty() && a.trajectory().reaches(a.samples() - 1))
-    out.push_back({Paragraph::Tone::note, fmt::format("The motion lasts to t = {}, not to the {} asked for, as the scenario allows: it {}.",
-                                                      show_time(a, a.samples() - 1), show(motion.end, "s"), ending)});
-  for (const std::string& s : acceleration_sentences(a)) out.push_back({Paragraph::Tone::note, s});
-  tell(fmt::format("{} over {}, {} degrees of freedom.", plural(a.samples(), "sample"), show_time(a, a.samples() - 1), a.machine().dof()));
-  tell(fmt::format("Motion: {}.", joined(motion.description)));
-  tell(fmt::format("Load on the platform: {}.", joined(a.scenario().load.description)));
-  return out;
-}
 
 // Minimum and maximum of every column: what a program reads from results.json.
 void add_values(Report& r, const Analysis& a, const SectionKind& kind) {
@@ -107,17 +52,22 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
   r.provenance = {"pmreport", version, m.info().name, build, s.file.filename().string(), document::sha256(s.text)};
 
   const Stage stage(a, studio);
+  std::optional<Stage::Ordered> cover;
+  if (s.needs().pictures) cover = stage.cover();
   std::vector<document::Section> overview = overview_section(a);
   std::map<const scenario::SectionKind*, int> made;  // of each kind
   std::vector<document::Check> gates;
-  std::vector<std::string> found;
+  std::vector<document::Finding> found;
   const auto make = [&](const scenario::Section& asked, int number) {
     Result result = kind_of(asked).make({a, stage, progress, r.values, number}, asked);
     for (document::Value& v : result.values) r.values.push_back(std::move(v));
     for (document::Data& d : result.data) r.data.push_back(std::move(d));
     for (document::File& f : result.files) r.files.push_back(std::move(f));
     for (document::Check& c : result.checks) gates.push_back(std::move(c));
-    for (std::string& sentence : result.summary) found.push_back(std::move(sentence));
+    for (document::Finding& f : result.findings) {
+      f.section = result.section.id;
+      found.push_back(std::move(f));
+    }
     if (!asked.title.empty()) result.section.title = asked.title;
     return std::move(result.section);
   };
@@ -159,8 +109,8 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
     for (document::Data& d : always.data) r.data.push_back(std::move(d));
     r.every_instant = every_instant_results(a, p);
   }
-  r.summary = summary(a, p, unseen, r);
-  for (std::string& sentence : found) r.summary.push_back({Paragraph::Tone::plain, std::move(sentence)});
+  put_front(r, a, p, unseen, std::move(found));
+  if (cover) r.cover = cover->wait();
   return r;
 }
 

@@ -70,8 +70,16 @@ Report report() {
       "[motion]\nduration = \"10 s\"\nsamples  = 501\nx = \"20 mm * sin(2*pi*t/10 s)\"   # a sway\n\n"
       "[[check]]\nthat  = \"max(abs(actuator_force))\"\nbelow = \"400 N\"\n";
   r.summary = {{Paragraph::Tone::plain,
-                "The limbs work between 587.9 mm and 731.4 mm; the largest actuator force is 312.4 N in limb 3 at t = 5.02 s."},
-               {Paragraph::Tone::warning, "t = 3.20 s to 4.10 s: limb 3 needs 812.4 mm, its stroke ends at 800.0 mm (45 samples)."}};
+                "The limbs work between 587.9 mm and 731.4 mm; the largest actuator force is 312.4 N in limb 3 at t = 5.02 s."}};
+  r.findings = {
+      {Finding::Kind::fault, "t = 3.20 s to 4.10 s: limb 3 needs 812.4 mm, its stroke ends at 800.0 mm (45 samples).", "displacement"},
+      {Finding::Kind::disagreement, "3 of 4 published values reproduce within their tolerances; 1 does not."},
+      {Finding::Kind::result, "The local transmission index is 0.82 at least.", "nowhere"}};
+  r.key_numbers = {{"Stroke used most", "812.4 mm", "it ends at 800.0 mm", "l₃, t = 3.6 s", "displacement", 1.07, 0.8124, 0.8, "m"},
+                   {"Largest force of an actuator", "312.4 N", "checked: < 400 N", "l₃, t = 5.02 s", "statics", 0.781, 312.4, 400, "N"},
+                   {"Volume of the workspace", "0.0123 m³"}};
+  r.assumptions = {"Bodies are rigid and keep their declared sizes."};
+  r.not_asked = {"dynamics", "workspace"};
 
   Section displacement{"displacement", "displacement", "Displacement", {}};
   displacement.blocks.push_back(Paragraph{

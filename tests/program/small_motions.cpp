@@ -45,7 +45,7 @@ within = "1 nm"
 
 // The cells of a table's row, by its first cell.
 std::vector<std::string> row_of(const std::string& page, const std::string& first) {
-  const auto at = page.find(">" + first + "<");
+  const auto at = page.find(">" + first + "</th>");
   REQUIRE(at != std::string::npos);
   const std::string row = page.substr(at - 1, page.find("</tr>", at) - at + 1);
   const std::regex cell(">([^<>]+)<");

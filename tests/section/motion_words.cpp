@@ -28,7 +28,13 @@ std::string summary(const document::Report& r, document::Paragraph::Tone tone) {
     if (p.tone == tone) out += p.text + "\n";
   return out;
 }
-constexpr auto warning = document::Paragraph::Tone::warning, note = document::Paragraph::Tone::note;
+constexpr auto note = document::Paragraph::Tone::note;
+std::string faults(const document::Report& r) {
+  std::string out;
+  for (const document::Finding& f : r.findings)
+    if (f.kind == document::Finding::Kind::fault) out += f.text + "\n";
+  return out;
+}
 
 }  // namespace
 
@@ -43,12 +49,12 @@ TEST_CASE("a corner fails the report where rates or forces are asked for, and is
     CHECK(smoothness(r)->message == sentence);
     CHECK(smoothness(r)->measured == "1 jump");
     CHECK_FALSE(r.passed());
-    CHECK_THAT(summary(r, warning), Contains(sentence));
+    CHECK_THAT(faults(r), Contains(sentence));
   }
   const document::Report places = report(corner, {"displacement"});
   CHECK_FALSE(smoothness(places));
   CHECK(places.passed());
-  CHECK_THAT(summary(places, warning), Contains(sentence));
+  CHECK_THAT(faults(places), Contains(sentence));
 }
 
 TEST_CASE("many jumps are one sentence with the first times and the largest jump") {
@@ -74,7 +80,7 @@ TEST_CASE("what moves between the samples fails the report, with its size and th
   CHECK_THAT(visibility(r)->message, Contains("Between samples x goes up to ") && Contains("it moves by 2 mm in all") &&
                                          Contains("21 samples cannot show it, 501 do."));
   CHECK_FALSE(r.passed());
-  CHECK_THAT(summary(r, warning), Contains(visibility(r)->message));
+  CHECK_THAT(faults(r), Contains(visibility(r)->message));
 }
 
 TEST_CASE("a sound motion meets both demands") {

@@ -50,6 +50,7 @@ bool read_start(const Entry* entry, const MechanismPart& mechanism, const Movabl
   bool sound = true;
   std::vector<std::string> known, said;
   for (const Moved& m : movables.coordinates) known.push_back(m.name);
+  for (const std::string& key : known) reader.looks_for(*content, key);
   for (const Entry& e : content->entries) {
     const auto found = std::find(known.begin(), known.end(), e.key);
     if (found == known.end()) {

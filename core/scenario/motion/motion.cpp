@@ -22,6 +22,7 @@ std::string estimate(double samples) {
 
 // 0, told, when it is no number of samples.
 std::size_t read_samples(const Value& v, const Reader& reader) {
+  reader.takes(v, Shape::whole(2, max_samples));
   if (v.kind != Value::Kind::integer) {
     if (v.kind != Value::Kind::refused) reader.diagnostics().add(v.place, "expected a whole number of samples, seen " + name_of(v));
     return 0;
@@ -74,7 +75,8 @@ void refuse_unknown_of_forces(const Value& content, const Movables& movables, Di
 }
 
 // Keys that are none: coordinates that cannot be given are told apart from slips.
-void refuse_unknown(const Value& content, const MechanismPart& mechanism, const Movables& movables, Diagnostics& diagnostics) {
+void refuse_unknown(const Value& content, const MechanismPart& mechanism, const Movables& movables, const Reader& reader) {
+  Diagnostics& diagnostics = reader.diagnostics();
   std::vector<std::string> known{"duration", "samples", "until", "profile", "waypoint", "file", "unwrap", "from"};
   const std::string keys =
       fmt::format("the keys are {}; and the coordinates {}, or the actuators {}, each also by its rate, {}_rate", listed(known, "and"),
@@ -82,6 +84,7 @@ void refuse_unknown(const Value& content, const MechanismPart& mechanism, const 
   for (const char* suffix : {"", "_rate"})
     for (const std::vector<Moved>* list : {&movables.coordinates, &movables.actuators})
       for (const Moved& m : *list) known.push_back(m.name + suffix);
+  for (const std::string& key : known) reader.looks_for(content, key);
   for (const Entry& e : content.entries)
     if (std::find(std::begin(of_forces), std::end(of_forces), e.key) != std::end(of_forces))
       diagnostics.add(e.place, fmt::format("{} is of a motion that follows from forces, and this one is prescribed", e.key),
@@ -232,7 +235,7 @@ MotionPart read_motion(const Entry* entry, bool needed, const MechanismPart& mec
     return part;
   }
   const Movables movables(mechanism);
-  refuse_unknown(*content, mechanism, movables, diagnostics);
+  refuse_unknown(*content, mechanism, movables, reader);
   std::optional<Laws> laws;
   std::vector<double> time;
   if (by_points) {

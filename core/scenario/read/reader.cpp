@@ -57,19 +57,30 @@ bool finite(const Jet<double>& x, double t, Place place, const std::string& what
   return false;
 }
 
+void Reader::takes(const Value& v, const Shape& as) const {
+  if (asked_ != nullptr) asked_->taken[&v] = as;
+}
+
+void Reader::looks_for(const Value& table, std::string_view key, bool needed) const {
+  if (asked_ != nullptr) asked_->note_key(table, key, needed);
+}
+
 std::optional<std::string> Reader::text(const Value& v) const {
+  takes(v, Shape::text());
   if (v.kind == Value::Kind::text) return v.text;
   if (v.kind != Value::Kind::refused) diagnostics_.add(v.place, "expected a text in quotes, seen " + name_of(v));
   return std::nullopt;
 }
 
 std::optional<bool> Reader::boolean(const Value& v) const {
+  takes(v, Shape::boolean());
   if (v.kind == Value::Kind::boolean) return v.boolean;
   if (v.kind != Value::Kind::refused) diagnostics_.add(v.place, "expected true or false, seen " + name_of(v));
   return std::nullopt;
 }
 
 std::optional<double> Reader::integer(const Value& v, double least, double most) const {
+  takes(v, Shape::whole(least, most));
   if (v.kind == Value::Kind::integer && v.number >= least && v.number <= most) return v.number;
   if (v.kind != Value::Kind::refused)
     diagnostics_.add(v.place, fmt::format("expected a whole number from {} to {}, seen {}", least, most, name_of(v)));
@@ -78,6 +89,7 @@ std::optional<double> Reader::integer(const Value& v, double least, double most)
 
 std::optional<std::size_t> Reader::word(const Value& v, const std::vector<std::string>& words, std::string_view what) const {
   const auto given = text(v);
+  takes(v, Shape::word(words));
   if (!given) return std::nullopt;
   const auto found = std::find(words.begin(), words.end(), *given);
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
@@ -94,6 +106,7 @@ void Reader::refuse(const Value& v, const ExpressionError& e) const {
 }
 
 std::optional<Written> Reader::expression(const Value& v, const Dimension& expected, Time time, std::span<const Variable> variables) const {
+  takes(v, Shape::quantity(expected));
   if (is_number(v) && expected != Dimension{}) {
     diagnostics_.add(v.place, fmt::format("expected {}, seen {} without a unit", with_example(expected), name_of(v)),
                      fmt::format("write \"{}{}\", with the unit that you mean", v.number, likely_unit(expected)));
@@ -126,6 +139,7 @@ std::optional<double> Reader::quantity(const Value& v, const Dimension& expected
 }
 
 const std::vector<Value>* Reader::list(const Value& v, std::size_t count, std::string_view what) const {
+  takes(v, Shape::list(count, count, Shape::text()));
   if (v.kind == Value::Kind::array && v.items.size() == count) return &v.items;
   if (v.kind != Value::Kind::refused)
     diagnostics_.add(v.place, fmt::format("expected a list of {}, seen {}", what,
@@ -134,6 +148,7 @@ const std::vector<Value>* Reader::list(const Value& v, std::size_t count, std::s
 }
 
 const Entry* TableReader::find(std::string_view key) {
+  reader_.looks_for(table_, key);
   if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
   const auto found = std::find_if(table_.entries.begin(), table_.entries.end(), [&](const Entry& e) { return e.key == key; });
   return found != table_.entries.end() ? &*found : nullptr;
@@ -141,6 +156,7 @@ const Entry* TableReader::find(std::string_view key) {
 
 const Entry* TableReader::need(std::string_view key, std::string_view example) {
   const Entry* entry = find(key);
+  reader_.looks_for(table_, key, true);
   if (entry == nullptr)
     reader_.diagnostics().add(place_, fmt::format("expected the key {} in {}, which is not there", in_quotes(key), name_),
                               fmt::format("add a line: {}", example));

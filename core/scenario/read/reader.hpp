@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <core/scenario/expression/expression.hpp>
+#include <core/scenario/read/asked.hpp>
 #include <core/scenario/read/diagnostics.hpp>
 #include <core/scenario/read/document.hpp>
 #include <optional>
@@ -23,7 +24,8 @@ struct Written {
 // Reads values without regard to where they stand.
 class Reader {
  public:
-  explicit Reader(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+  // `asked`: where all that is asked for is noted; nullptr: nowhere.
+  explicit Reader(Diagnostics& diagnostics, Asked* asked = nullptr) : diagnostics_(diagnostics), asked_(asked) {}
 
   std::optional<std::string> text(const Value& v) const;
   std::optional<bool> boolean(const Value& v) const;
@@ -39,9 +41,13 @@ class Reader {
   Diagnostics& diagnostics() const { return diagnostics_; }
   // Reports what a parser found in the text of `v`.
   void refuse(const Value& v, const ExpressionError& e) const;
+  // For code that looks at a value by itself: what it takes it for, and which keys it looks for.
+  void takes(const Value& v, const Shape& as) const;
+  void looks_for(const Value& table, std::string_view key, bool needed = false) const;
 
  private:
   Diagnostics& diagnostics_;
+  Asked* asked_;
 };
 
 // The tables of an array of tables, [[name]]; a single table or anything else is reported.

@@ -58,6 +58,17 @@ Json json_of(const Value& value) {
   return out;
 }
 
+Json json_of(const KeyNumber& k) {
+  Json out{{"what", k.what}, {"value", k.value}, {"limit", k.limit}, {"where", k.where}, {"section", k.section}};
+  put_number(out, "number", k.number);
+  put_number(out, "bound", k.bound);
+  put_number(out, "used", k.used);
+  out["unit"] = k.unit;
+  return out;
+}
+
+Json json_of(const Finding& f) { return {{"kind", name_of(f.kind)}, {"text", f.text}, {"section", f.section}}; }
+
 template <class Items>
 Json list_of(const Items& items) {
   Json out = Json::array();
@@ -71,7 +82,8 @@ void add_warnings(Json& out, const std::string& section, const Paragraph& paragr
 
 Json warnings_of(const Report& r) {
   Json out = Json::array();
-  for (const Paragraph& paragraph : r.summary) add_warnings(out, "", paragraph);
+  for (const Finding& f : r.findings)
+    if (f.kind == Finding::Kind::fault) out.push_back({{"section", ""}, {"text", f.text}});
   for (const Section& section : r.sections) {
     for (const Block& block : section.blocks) {
       if (const auto* paragraph = std::get_if<Paragraph>(&block)) add_warnings(out, section.id, *paragraph);
@@ -159,6 +171,10 @@ std::string to_json(const Report& r) {
                        {"scenario", from.scenario_name},
                        {"scenario_sha256", from.scenario_sha256}};
   out["verdict"] = {{"passed", r.passed()}, {"checks", json_of(tally_checks(r))}, {"evidence", json_of(tally_evidence(r))}};
+  out["key_numbers"] = list_of(r.key_numbers);
+  out["findings"] = list_of(r.findings);
+  out["assumptions"] = r.assumptions;
+  out["not_asked"] = r.not_asked;
   out["warnings"] = warnings_of(r);
   out["checks"] = list_of(r.checks);
   out["sections"] = sections_of(r);

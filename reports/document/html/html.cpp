@@ -12,29 +12,6 @@ namespace pmreport::document {
 
 namespace {
 
-std::string plural(int count, const char* one, const char* many) { return std::to_string(count) + " " + (count == 1 ? one : many); }
-
-// "All 3 checks passed", "1 of 3 checks failed", "2 of 4 lines of evidence passed, 1 was not decided, 1 was not examined"
-std::string told(const Tally& tally, const char* one, const char* many, const char* none) {
-  const int total = tally.total();
-  if (total == 0) return none;
-  if (tally[Verdict::passed] == total) return (total == 1 ? "The one " + std::string(one) : "All " + plural(total, one, many)) + " passed";
-  std::string out;
-  const auto add = [&](Verdict verdict, const std::string& predicate) {
-    const int n = tally[verdict];
-    if (n == 0 && !(verdict == Verdict::passed && out.empty())) return;
-    out += (out.empty() ? std::to_string(n) + " of " + plural(total, one, many) : ", " + std::to_string(n)) + " " + predicate;
-  };
-  const auto was = [&](Verdict verdict) { add(verdict, (tally[verdict] == 1 ? "was " : "were ") + word_of(verdict)); };
-  add(Verdict::failed, "failed");
-  add(Verdict::error, "could not be computed");
-  if (out.empty()) add(Verdict::passed, "passed");
-  was(Verdict::not_decided);
-  was(Verdict::not_examined);
-  was(Verdict::not_applicable);
-  return out;
-}
-
 void write_contents(Page& page) {
   HtmlWriter& html = page.html;
   const Report& r = page.report;
@@ -42,7 +19,7 @@ void write_contents(Page& page) {
     html.element("li", [&] {
       html.element("a", {{"href", "#" + anchor}}, title);
       if (tally.failed() > 0)
-        html.element("span", {{"class", "failed"}, {"title", told(tally, "line of evidence", "lines of evidence", "")}}, " ✗");
+        html.element("span", {{"class", "failed"}, {"title", counted(tally, {Verdict::failed, Verdict::error})}}, " ✗");
     });
   };
   html.element("nav", {{"id", "contents"}, {"aria-label", "Contents"}}, [&] {
@@ -75,50 +52,6 @@ void write_header(Page& page) {
       html.text(" · ");
       html.element("a", {{"href", "junit.xml"}}, "JUnit");
     });
-  });
-}
-
-void write_failures(Page& page) {
-  HtmlWriter& html = page.html;
-  const Report& r = page.report;
-  html.element("ul", {{"class", "failures"}}, [&] {
-    for (const Check& check : r.checks) {
-      if (check.passed) continue;
-      html.element("li", [&] {
-        html.element("a", {{"href", "#checks"}}, check.name);
-        html.text(": " + (check.message.empty() ? "measured " + check.measured : check.message));
-      });
-    }
-    for (std::size_t s = 0; s < r.sections.size(); ++s) {
-      for (const Block& block : r.sections[s].blocks) {
-        const auto* proof = std::get_if<Proof>(&block);
-        if (!proof) continue;
-        for (const Evidence& line : proof->lines) {
-          if (!line.failed() || told_by_a_check(r, line)) continue;
-          html.element("li", [&] {
-            html.element("a", {{"href", "#" + page.names.sections[s]}}, r.sections[s].title);
-            html.text(": " + line.claim + ": " + finding(line));
-          });
-        }
-      }
-    }
-  });
-}
-
-void write_summary(Page& page) {
-  HtmlWriter& html = page.html;
-  const Report& r = page.report;
-  html.element("section", {{"id", "summary"}, {"aria-label", "Summary"}}, [&] {
-    html.element("div", {{"class", r.passed() ? "verdict passed" : "verdict failed"}}, [&] {
-      html.element("h2", r.passed() ? "✓ Passed" : "✗ Failed");
-      const std::string checks = told(tally_checks(r), "check", "checks", "No check was asked for");
-      const std::string evidence = told(tally_evidence(r), "line of evidence", "lines of evidence", "No evidence was given");
-      html.element("p", checks + ". " + evidence + ".");
-      if (!r.passed()) write_failures(page);
-    });
-    std::vector<Paragraph> paragraphs = r.summary;
-    std::ranges::stable_partition(paragraphs, [](const Paragraph& p) { return p.tone == Paragraph::Tone::warning; });
-    for (const Paragraph& paragraph : paragraphs) write_paragraph(page, paragraph);
   });
 }
 
@@ -246,13 +179,16 @@ std::string to_html(const Report& r, const Names& names, const std::vector<std::
       html.open("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
       html.open("meta", {{"name", "generator"}, {"content", r.provenance.program + " " + r.provenance.version}});
       html.element("title", r.title);
-      html.element("style", [&] { html.markup(html_style); });
+      html.element("style", [&] {
+        html.markup(html_style);
+        html.markup(html_theme);
+      });
     });
     html.element("body", [&] {
       write_contents(page);
       html.element("main", [&] {
         write_header(page);
-        write_summary(page);
+        write_front(page);
         write_checks(page);
         for (std::size_t s = 0; s < r.sections.size(); ++s) {
           const Section& section = r.sections[s];
@@ -265,6 +201,7 @@ std::string to_html(const Report& r, const Names& names, const std::vector<std::
         write_scenario(page);
         write_provenance(page);
       });
+      html.element("script", {{"type", "module"}}, [&] { html.markup(html_script); });
     });
   });
   return html.take();

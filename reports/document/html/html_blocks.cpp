@@ -2,11 +2,21 @@
 #include <fmt/format.h>
 
 #include <reports/document/finding.hpp>
+#include <reports/document/html/figure_words.hpp>
 #include <reports/document/html/html_page.hpp>
+#include <reports/document/html/series_data.hpp>
 
 namespace pmreport::document {
 
 namespace {
+
+// Where there is no word there is no heading, but an empty cell.
+void write_heading(Page& page, const char* scope, const char* side, const std::string& text) {
+  if (text.empty())
+    page.html.element("td", {{"class", side}}, "");
+  else
+    page.html.element("th", {{"scope", scope}, {"class", side}}, text);
+}
 
 void write_table(Page& page, const Table& table) {
   HtmlWriter& html = page.html;
@@ -17,7 +27,7 @@ void write_table(Page& page, const Table& table) {
       html.element("thead", [&] {
         html.element("tr", [&] {
           for (std::size_t c = 0; c < table.headings.size(); ++c) {
-            html.element("th", {{"scope", "col"}, {"class", side(c)}}, table.headings[c]);
+            write_heading(page, "col", side(c), table.headings[c]);
           }
         });
       });
@@ -26,7 +36,7 @@ void write_table(Page& page, const Table& table) {
           html.element("tr", [&] {
             for (std::size_t c = 0; c < row.size(); ++c) {
               if (c == 0) {
-                html.element("th", {{"scope", "row"}, {"class", side(c)}}, row[c]);
+                write_heading(page, "row", side(c), row[c]);
               } else {
                 // A list of numbers may break after its commas, so that it does not push the columns after it off a narrow screen.
                 const bool list = side(c) == std::string_view("number") && row[c].find(", ") != std::string::npos;
@@ -40,6 +50,20 @@ void write_table(Page& page, const Table& table) {
   });
 }
 
+void write_words(Page& page, const figure::Figure& figure) {
+  HtmlWriter& html = page.html;
+  html.element("details", {{"class", "words-of-figure"}}, [&] {
+    html.element("summary", "What it shows, in words");
+    for (const PanelWords& panel : words_of(figure)) {
+      html.element("p", panel.heading);
+      if (panel.lines.empty()) continue;
+      html.element("ul", [&] {
+        for (const std::string& line : panel.lines) html.element("li", line);
+      });
+    }
+  });
+}
+
 void write_figure(Page& page, const figure::Figure& figure) {
   HtmlWriter& html = page.html;
   const std::string& name = page.names.figures[page.figure];
@@ -47,8 +71,11 @@ void write_figure(Page& page, const figure::Figure& figure) {
   const bool wide = figure.width == figure::Width::full;
   html.element("figure", {{"id", "figure-" + name}, {"class", wide ? "plot full" : "plot column"}}, [&] {
     write_scroll_box(page, figure.caption, [&] {
-      html.element("div", {{"role", "img"}, {"aria-label", figure.caption}}, [&] { html.markup(inline_svg(page.drawings[page.figure])); });
+      html.element("div", {{"class", "drawing"}, {"role", "img"}, {"aria-label", name_of(figure)}},
+                   [&] { html.markup(inline_svg(page.drawings[page.figure])); });
     });
+    if (const std::string series = series_data(figure); !series.empty())
+      html.element("script", {{"type", "application/json"}}, [&] { html.markup(series); });
     html.element("figcaption", [&] {
       html.element("strong", "Figure " + std::to_string(page.figure + 1) + ".");
       html.text(" " + figure.caption + " ");
@@ -60,25 +87,10 @@ void write_figure(Page& page, const figure::Figure& figure) {
         html.text(" · ");
         html.element("a", {{"href", data}}, "data (CSV)");
       });
+      write_words(page, figure);
     });
   });
   ++page.figure;
-}
-
-void write_picture(Page& page, const Picture& picture) {
-  HtmlWriter& html = page.html;
-  const std::string file = "snapshots/" + page.names.pictures[page.picture] + ".png";
-  html.element("figure", [&] {
-    html.open("img", {{"src", "data:image/png;base64," + base64(picture.png)},
-                      {"alt", picture.caption},
-                      {"width", std::to_string(picture.width)},
-                      {"height", std::to_string(picture.height)}});
-    html.element("figcaption", [&] {
-      html.text(picture.caption + " ");
-      html.element("span", {{"class", "files"}}, [&] { html.element("a", {{"href", file}}, "PNG"); });
-    });
-  });
-  ++page.picture;
 }
 
 void write_gallery(Page& page, const Gallery& gallery) {
@@ -123,6 +135,22 @@ void write_proof(Page& page, const Section& section, const Proof& proof) {
 }
 
 }  // namespace
+
+void write_picture(Page& page, const Picture& picture) {
+  HtmlWriter& html = page.html;
+  const std::string file = "snapshots/" + page.names.pictures[page.picture] + ".png";
+  html.element("figure", [&] {
+    html.open("img", {{"src", "data:image/png;base64," + base64(picture.png)},
+                      {"alt", picture.caption},
+                      {"width", std::to_string(picture.width)},
+                      {"height", std::to_string(picture.height)}});
+    html.element("figcaption", [&] {
+      html.text(picture.caption + " ");
+      html.element("span", {{"class", "files"}}, [&] { html.element("a", {{"href", file}}, "PNG"); });
+    });
+  });
+  ++page.picture;
+}
 
 void write_paragraph(Page& page, const Paragraph& paragraph) {
   switch (paragraph.tone) {

@@ -17,11 +17,13 @@ struct Page {
 
 void write_block(Page& page, const Section& section, const Block& block);
 void write_paragraph(Page& page, const Paragraph& paragraph);
+void write_picture(Page& page, const Picture& picture);
+void write_front(Page& page);
 
 // The box in which a wide thing moves sideways on a narrow screen; the keyboard reaches it too.
 template <class Inside>
 void write_scroll_box(Page& page, std::string_view label, Inside inside) {
-  page.html.element("div", {{"class", "scroll"}, {"role", "region"}, {"aria-label", label}, {"tabindex", "0"}}, inside);
+  page.html.element("div", {{"class", "scroll"}, {"role", "group"}, {"aria-label", label}, {"tabindex", "0"}}, inside);
 }
 
 void write_result(Page& page, Verdict verdict);  // a symbol, a word and, last, a colour
@@ -30,9 +32,12 @@ void write_result(Page& page, Verdict verdict);  // a symbol, a word and, last, 
 std::string to_html(const Report& r, const Names& names, const std::vector<std::string>& drawings);
 
 // Of an SVG file the part that stands inside HTML. Styles become presentation attributes: a page shown under a policy that forbids inline
-// styles, as Jenkins does by default, would draw every curve as a black blot.
+// styles, as Jenkins does by default, would draw every curve as a black blot. Its role and title are left out: what stands around it has
+// them, and a title would pop up wherever a pointer rests.
 std::string inline_svg(const std::string& svg);
 
 extern const char* const html_style;
+extern const char* const html_theme;   // more style
+extern const char* const html_script;  // report.js, without which the page is whole as well
 
 }  // namespace pmreport::document

@@ -35,12 +35,32 @@ nav a { color: var(--ink); text-decoration: none; }
 nav a:hover { color: var(--link); text-decoration: underline; }
 nav .failed { color: var(--bad); font-weight: 700; }
 
-.verdict { border-left: .4rem solid; padding: .8rem 1.2rem .9rem; margin: 0 0 1.4rem; }
-.verdict h2 { margin: 0; font-size: 1.3rem; }
-.verdict p { margin: .15rem 0 0; color: var(--ink); }
+h3 { font-size: 1.05rem; font-weight: 650; margin: 1.8rem 0 .5rem; }
+.front { display: flex; flex-wrap: wrap; gap: 1.4rem 2rem; align-items: stretch; }
+.front figure { margin: 0; flex: 3 1 22rem; max-width: 33rem; } .front img { display: block; width: 100%; height: auto; border: 1px solid var(--rule); background: #fff; }
+.front .verdict { flex: 2 1 14rem; }
+.verdict { border-left: .4rem solid var(--quiet); background: var(--shade); padding: .8rem 1.2rem .9rem; margin: 0; }
+.verdict h2 { margin: 0 0 .6rem; font-size: 1.5rem; }
+.verdict dl { display: block; margin: 0; } .verdict dt { margin: .6rem 0 .1rem; font-weight: 600; color: var(--ink); } .verdict dd { margin: 0; }
 .verdict.passed { background: #eef7f1; border-color: var(--good); } .verdict.passed h2 { color: var(--good); }
 .verdict.failed { background: #fcefee; border-color: var(--bad); } .verdict.failed h2 { color: var(--bad); }
-.failures { margin: .6rem 0 0; padding-left: 1.1rem; } .failures li { margin: .2rem 0; max-width: 42rem; }
+.verdict .disagreement { border-left: .25rem solid #c58a1b; padding-left: .7rem; margin-top: .9rem; }
+.states { list-style: none; margin: 0; padding: 0; }
+.state::before { content: ""; display: inline-block; width: .6em; height: .6em; margin-right: .5em; background: var(--quiet); }
+.state.passed::before { background: var(--good); } .state.failed::before, .state.error::before { background: var(--bad); } .state.not-decided::before { background: #c58a1b; }
+.keys { list-style: none; margin: 0; padding: 0; display: grid; gap: 0 1.6rem; grid-template-columns: repeat(auto-fill, minmax(min(100%, 15rem), 1fr)); }
+.keys li { border-top: 1px solid var(--rule); padding: .6rem 0 .7rem; overflow-wrap: anywhere; }
+.keys .what { font-size: .9rem; } .keys .value { font-size: 1.35rem; font-weight: 650; line-height: 1.25; }
+.keys .limit, .keys .where { font-size: .875rem; color: var(--quiet); }
+.bar { display: block; width: 100%; height: .7rem; margin: .25rem 0; }
+.bar .track { fill: var(--rule); } .bar .fill { fill: var(--good); } .bar.tight .fill { fill: #c58a1b; } .bar.broken .fill { fill: var(--bad); } .bar .tick { fill: var(--ink); }
+.findings { margin: 0; padding: 0; list-style: none; max-width: 48rem; }
+.findings li { border-left: .25rem solid var(--rule); padding: .1rem 0 .1rem .9rem; margin: .55rem 0; }
+.fault-found { border-color: var(--bad) !important; } .disagreement-found { border-color: #c58a1b !important; } .surprise-found { border-color: var(--link) !important; }
+.fault-found strong { color: var(--alert); }
+.unexamined, .assumptions { margin: 0; padding-left: 2.2rem; max-width: 46rem; color: var(--quiet); font-size: .925rem; }
+.unexamined { padding-left: 1.2rem; }
+.assumptions { counter-reset: a; list-style: none; } .assumptions li { counter-increment: a; } .assumptions li::before { content: "A" counter(a); display: inline-block; width: 2.2rem; margin-left: -2.2rem; }
 .warning { background: #fdf5e3; border-left: .4rem solid #c58a1b; padding: .6rem 1.2rem; max-width: none; }
 .warning strong { color: var(--alert); }
 .note { color: var(--quiet); font-size: .925rem; }

@@ -19,9 +19,15 @@ void append_presentation(std::string& out, std::string_view style) {
   }
 }
 
-}  // namespace
+// Without the first place, if any, where it stands from `before` to `after`.
+std::string without(std::string text, std::string_view before, std::string_view after) {
+  const std::size_t begin = text.find(before), end = text.find(after, begin == std::string::npos ? text.size() : begin + before.size());
+  return end == std::string::npos ? text : text.erase(begin, end + after.size() - begin);
+}
 
-std::string inline_svg(const std::string& svg) {
+std::string without_name(const std::string& svg) { return without(without(svg, " role=\"", "\""), "<title>", "</title>\n"); }
+
+std::string with_attributes(const std::string& svg) {
   constexpr std::string_view opening = " style=\"";
   std::string out;
   std::size_t at = std::min(svg.find("<svg"), svg.size());
@@ -35,5 +41,9 @@ std::string inline_svg(const std::string& svg) {
   }
   return out;
 }
+
+}  // namespace
+
+std::string inline_svg(const std::string& svg) { return with_attributes(without_name(svg)); }
 
 }  // namespace pmreport::document

@@ -75,7 +75,6 @@ void compose(Composer& c, const Plan& plan) {
   const Report& r = c.report;
   put_title(c, plan.sections, plan.checks);
   put_contents(c, plan.all());
-  c.flow.new_page();
   for (std::size_t i = 0; i < r.sections.size(); ++i) {
     begin(c, plan.sections[i]);
     for (const auto& block : r.sections[i].blocks) std::visit(PutBlock{c}, block);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <reports/document/names.hpp>
+#include <reports/document/pdf/pdf_link.hpp>
 #include <reports/document/pdf/pdf_style.hpp>
 #include <reports/document/report.hpp>
 
@@ -28,6 +29,9 @@ void put_lines(Composer& c, const std::string& markup, const Style& style, doubl
 void put_paragraph(Composer& c, const Paragraph& p);
 void put_figure(Composer& c, const figure::Figure& f);
 void put_gallery(Composer& c, const Gallery& g);
+// Where a picture lies that is at most so wide and high, its corner at the origin; and how it is drawn there.
+Box picture_box(const Picture& p, double width, double most_height);
+void draw_picture(cairo_t* cr, const Picture& p, const Box& box);
 void put_proof(Composer& c, const Proof& p);
 void put_checks(Composer& c, const std::vector<Check>& checks);
 

@@ -6,59 +6,232 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace pmreport::document::pdf {
 
 namespace {
 
-std::string kept(const Tally& t, const char* one, const char* many) {
-  if (t.total() == 0) return fmt::format("no {}", many);
-  const std::string others = counted(t, {Verdict::error, Verdict::not_decided, Verdict::not_examined, Verdict::not_applicable});
-  return fmt::format("{} of {} {}{}", t[Verdict::passed], t.total(), t.total() == 1 ? one : many,
-                     others.empty() ? "" : " (" + others + ")");
+const Style secondary_ink{secondary.font, secondary.pitch};
+
+Colour colour_of(Finding::Kind kind) {
+  switch (kind) {
+    case Finding::Kind::fault:
+      return bad;
+    case Finding::Kind::disagreement:
+      return caution;
+    case Finding::Kind::surprise:
+      return accent;
+    case Finding::Kind::result:
+      break;
+  }
+  return hairline;
 }
 
-// A line that leads to where a claim failed.
-void put_pointer(Composer& c, const std::string& what, const Entry& where) {
-  const Lines lines(c.cr,
-                    "See " + coloured("<b>" + markup_line(where.number) + "</b>", accent) + "  " +
-                        coloured(markup_line(where.title), accent) + ": " + what,
-                    body, text_width - 14);
-  c.flow.put({.height = lines.height(), .draw = [lines, destination = where.destination, &flow = c.flow](cairo_t* cr) {
+Colour colour_of(Verdict v) {
+  switch (v) {
+    case Verdict::passed:
+      return good;
+    case Verdict::failed:
+    case Verdict::error:
+      return bad;
+    case Verdict::not_decided:
+      return caution;
+    case Verdict::not_examined:
+    case Verdict::not_applicable:
+      break;
+  }
+  return grey;
+}
+
+// The verdict in words, and below it checks and evidence by what became of them: what stands beside the picture, or alone.
+struct VerdictBox {
+  struct Line {
+    Lines text;
+    std::optional<Colour> square;
+  };
+  Colour colour;
+  Lines word;
+  std::vector<Line> lines;
+  double height() const {
+    double h = word.height() + 4;
+    for (const Line& l : lines) h += l.text.height();
+    return h;
+  }
+  void draw(cairo_t* cr, double x, double y, double tall) const {
+    set_colour(cr, colour);
+    cairo_rectangle(cr, x, y, 4, tall);
+    cairo_fill(cr);
+    word.draw(cr, x + 14, y);
+    y += word.height() + 4;
+    for (const Line& l : lines) {
+      if (l.square) {
+        set_colour(cr, *l.square);
+        cairo_rectangle(cr, x + 14, y + 0.5 * body.pitch - 3, 6, 6);
+        cairo_fill(cr);
+      }
+      l.text.draw(cr, x + (l.square ? 26 : 14), y);
+      y += l.text.height();
+    }
+  }
+};
+
+VerdictBox verdict_box(Composer& c, double width) {
+  const Tally asked = tally_checks(c.report), shown = tally_evidence(c.report);
+  const bool claims = asked.total() + shown.total() > 0;
+  const Colour colour = !claims ? grey : c.report.passed() ? good : bad;
+  const Style large{{.size = 16, .bold = true}, 24};
+  VerdictBox box{colour,
+                 Lines(c.cr,
+                       coloured(!claims             ? "NOTHING TO CHECK"
+                                : c.report.passed() ? "PASSED"
+                                                    : "FAILED",
+                                colour),
+                       large, 0),
+                 {}};
+  const auto add = [&](const Tally& t, const char* one, const char* many) {
+    box.lines.push_back(
+        {Lines(c.cr, t.total() == 0 ? fmt::format("no {}", many) : fmt::format("<b>{} {}</b>", t.total(), t.total() == 1 ? one : many),
+               body, width - 14),
+         {}});
+    for (std::size_t i = 0; i < verdicts; ++i) {
+      const auto v = static_cast<Verdict>(i);
+      if (t[v] > 0) box.lines.push_back({Lines(c.cr, fmt::format("{} {}", t[v], word_of(v)), body, width - 26), colour_of(v)});
+    }
+  };
+  add(asked, "check", "checks");
+  add(shown, "line of evidence", "lines of evidence");
+  for (const Finding& f : c.report.findings)
+    if (f.kind == Finding::Kind::disagreement)
+      box.lines.push_back({Lines(c.cr, coloured(markup_line(f.text), caution), body, width - 14), {}});
+  return box;
+}
+
+// Beside the machine how it ended.
+void put_verdict(Composer& c) {
+  c.flow.gap(12);
+  if (!c.report.cover) {
+    const VerdictBox box = verdict_box(c, text_width);
+    c.flow.put({.height = box.height(), .draw = [box](cairo_t* cr) { box.draw(cr, 0, 0, box.height()); }});
+    return;
+  }
+  constexpr double picture_width = 98 * mm, between = 8 * mm, most = 74 * mm;
+  const Box picture = picture_box(*c.report.cover, picture_width, most);
+  const VerdictBox box = verdict_box(c, text_width - picture.width - between);
+  const double height = std::max(picture.height, box.height());
+  c.flow.put({.height = height,
+              .draw =
+                  [=, cover = &*c.report.cover](cairo_t* cr) {
+                    draw_picture(cr, *cover, picture);
+                    box.draw(cr, picture.width + between, 0, height);
+                  },
+              .role = "Figure"});
+}
+
+const Entry* entry_of(const Composer& c, const std::vector<Entry>& sections, const std::string& id) {
+  for (std::size_t i = 0; i < sections.size(); ++i)
+    if (c.report.sections[i].id == id) return &sections[i];
+  return nullptr;
+}
+
+// What fails, by name, each a link to where it is told.
+void put_failures(Composer& c, const std::vector<Entry>& sections, const Entry& checks) {
+  const std::vector<Failure> all = failures_of(c.report);
+  if (all.empty()) return;
+  put_subheading(c, "Failures");
+  constexpr double found_at = 118 * mm, limit_at = 146 * mm;
+  for (const Failure& f : all) {
+    const Entry* entry = f.section.empty() ? &checks : entry_of(c, sections, f.section);
+    const std::string text = coloured("<b>" + markup_line(f.name) + "</b>", bad) + (f.message.empty() ? "" : "\n" + markup_line(f.message));
+    const Lines what(c.cr, text, body, found_at - 20), found(c.cr, markup_line(f.worst), body, limit_at - found_at - 6),
+        limit(c.cr, markup_line(f.limit), body, text_width - limit_at);
+    const double height = std::max({what.height(), found.height(), limit.height()}) + 5;
+    c.flow.put(
+        {.height = height, .draw = [=, destination = entry != nullptr ? entry->destination : std::string(), &flow = c.flow](cairo_t* cr) {
+           set_colour(cr, bad);
+           cairo_rectangle(cr, 0, 0, 3, height - 4);
+           cairo_fill(cr);
+           found.draw(cr, found_at, 0);
+           limit.draw(cr, limit_at, 0);
+           if (destination.empty()) return what.draw(cr, 14, 0);
+           flow.require(destination);
+           const Link link(cr, destination, {14, 0, found_at - 20, height - 4});
+           what.draw(cr, 14, 0);
+         }});
+  }
+}
+
+// A bar as long as the share of the limit that is used, the limit at a tick.
+void draw_bar(cairo_t* cr, double x, double y, double width, double height, double used) {
+  constexpr double longest = 1.25;
+  set_colour(cr, {0.91, 0.92, 0.94});
+  cairo_rectangle(cr, x, y, width / longest, height);
+  cairo_fill(cr);
+  set_colour(cr, used > 1 ? bad : used >= 0.8 ? caution : good);
+  cairo_rectangle(cr, x, y, width * std::min(used, longest) / longest, height);
+  cairo_fill(cr);
+  set_colour(cr, ink);
+  cairo_rectangle(cr, x + width / longest - 0.4, y - 2, 0.8, height + 4);
+  cairo_fill(cr);
+}
+
+// Name, number, how much of the limit it takes, the limit, where; one row each.
+void put_key_numbers(Composer& c, const std::vector<Entry>& sections) {
+  if (c.report.key_numbers.empty()) return;
+  put_subheading(c, "Key numbers");
+  constexpr double value_at = 55 * mm, bar_at = 90 * mm, bar_width = 27 * mm, limit_at = 120 * mm;
+  const Style strong{{.size = body.font.size, .bold = true}, body.pitch};
+  for (const KeyNumber& k : c.report.key_numbers) {
+    const Entry* entry = entry_of(c, sections, k.section);
+    const Lines what(c.cr, markup_line(k.what), body, value_at - 8), value(c.cr, markup_line(k.value), strong, bar_at - value_at - 6);
+    const std::string percent = k.limited() ? coloured(fmt::format("{:.0f} %", 100 * k.used), k.broken() ? bad : grey) + "  " : "";
+    const std::string limit = percent + markup_line(k.limit), where = markup_line(k.where);
+    const Lines beside(c.cr, limit + (limit.empty() || where.empty() ? "" : "\n") + coloured(where, grey), secondary_ink,
+                       text_width - limit_at);
+    const double height = std::max({what.height(), value.height(), beside.height()}) + 5;
+    c.flow.put({.height = height,
+                .draw = [=, used = k.used, limited = k.limited(), destination = entry != nullptr ? entry->destination : "",
+                         &flow = c.flow](cairo_t* cr) {
+                  if (!destination.empty()) {
+                    flow.require(destination);
+                    const Link link(cr, destination, {0, 0, text_width, height});
+                    what.draw(cr, 0, 0);
+                  } else {
+                    what.draw(cr, 0, 0);
+                  }
+                  value.draw(cr, value_at, 0);
+                  if (limited) draw_bar(cr, bar_at, 4, bar_width, 6, used);
+                  beside.draw(cr, limit_at, 0);
+                  rule(cr, 0, height - 2.5, text_width, 0.3, hairline);
+                }});
+  }
+}
+
+void put_finding(Composer& c, const std::vector<Entry>& sections, const Finding& f) {
+  const Entry* entry = entry_of(c, sections, f.section);
+  std::string text = markup_line(f.text);
+  if (f.kind == Finding::Kind::fault) text = "<b>" + text + "</b>";
+  if (entry != nullptr) text += "  " + coloured("Section\u00A0" + markup_line(entry->number), accent);
+  const Lines lines(c.cr, text, body, text_width - 14);
+  c.flow.put({.height = lines.height() + 4,
+              .draw = [lines, colour = colour_of(f.kind), destination = entry != nullptr ? entry->destination : std::string(),
+                       &flow = c.flow](cairo_t* cr) {
+                set_colour(cr, colour);
+                cairo_rectangle(cr, 0, 1, 3, lines.height() - 1);
+                cairo_fill(cr);
+                if (destination.empty()) return lines.draw(cr, 14, 0);
                 flow.require(destination);
                 const Link link(cr, destination, {14, 0, text_width - 14, lines.height()});
-                set_colour(cr, bad);
-                cairo_rectangle(cr, 0, -0.4, 4, lines.height() + 0.4);
-                cairo_fill(cr);
                 lines.draw(cr, 14, 0);
               }});
 }
 
-void put_verdict(Composer& c, const std::vector<Entry>& sections, const Entry& checks) {
-  const Tally asked = tally_checks(c.report), shown = tally_evidence(c.report);
-  const bool claims = asked.total() + shown.total() > 0, passed = c.report.passed();
-  const Colour colour = !claims ? grey : passed ? good : bad;
-  const Style large{{.size = 13, .bold = true}, 22};
-  const Lines word(c.cr, coloured(!claims ? "NOTHING TO CHECK" : passed ? "PASSED" : "FAILED", colour), large, 0);
-  const Lines counts(
-      c.cr, kept(asked, "check", "checks") + " and " + kept(shown, "line of evidence", "lines of evidence") + (claims ? " hold" : ""), body,
-      text_width - 14);
-  const double height = large.pitch + counts.height() + 6;
-  c.flow.gap(14);
-  c.flow.put({.height = height,
-              .draw =
-                  [=](cairo_t* cr) {
-                    set_colour(cr, colour);
-                    cairo_rectangle(cr, 0, 0, 4, height);
-                    cairo_fill(cr);
-                    word.draw(cr, 14, 1);
-                    counts.draw(cr, 14, large.pitch + 2);
-                  },
-              .keep_with_next = !passed});
-  if (asked.failed() > 0) put_pointer(c, asked.failed() == 1 ? "a check fails" : fmt::format("{} checks fail", asked.failed()), checks);
-  for (std::size_t i = 0; i < sections.size(); ++i) {
-    if (tally_evidence(c.report.sections[i]).failed() > 0) put_pointer(c, "evidence fails", sections[i]);
-  }
+// What was not looked at, or not decided, by name; and what nobody asked for.
+void put_not_examined(Composer& c) {
+  const std::vector<std::string> told = unexamined(c.report);
+  if (told.empty()) return;
+  put_subheading(c, "Not examined");
+  for (const std::string& s : told) put_lines(c, markup_line(s), secondary);
 }
 
 }  // namespace
@@ -66,27 +239,31 @@ void put_verdict(Composer& c, const std::vector<Entry>& sections, const Entry& c
 void put_title(Composer& c, const std::vector<Entry>& sections, const Entry& checks) {
   const Report& r = c.report;
   put_lines(c, r.title.empty() ? "Untitled report" : markup_line(r.title), title, 0, nullptr, true);
-  c.flow.gap(4);
+  c.flow.gap(2);
   if (!r.author.empty()) put_lines(c, markup_line(r.author), subheading, 0, nullptr, true);
-  c.flow.gap(8);
+  c.flow.gap(5);
   c.flow.put({.height = 2, .draw = [](cairo_t* cr) { rule(cr, 0, 1, text_width, 1.2, ink); }, .keep_with_next = true});
-  c.flow.gap(10);
+  c.flow.gap(6);
   c.flow.put({});
   put_field(c, "Mechanism", r.mechanism_title);
   put_field(c, "Source", r.source);
   put_field(c, "Scenario", r.provenance.scenario_name);
   if (!r.description.empty()) {
-    c.flow.gap(10);
+    c.flow.gap(6);
     put_lines(c, markup(r.description), body);
   }
-  put_verdict(c, sections, checks);
-  if (r.summary.empty()) return;
-  put_subheading(c, "Summary");
-  std::vector<Paragraph> summary = r.summary;
-  std::stable_sort(summary.begin(), summary.end(), [](const Paragraph& a, const Paragraph& b) {
-    return (a.tone == Paragraph::Tone::warning) > (b.tone == Paragraph::Tone::warning);
-  });
-  for (const auto& p : summary) put_paragraph(c, p);
+  put_verdict(c);
+  put_failures(c, sections, checks);
+  put_key_numbers(c, sections);
+  if (!r.findings.empty()) put_subheading(c, "Findings");
+  for (const Finding& f : r.findings) put_finding(c, sections, f);
+  put_not_examined(c);
+  if (!r.summary.empty()) put_subheading(c, "What was asked");
+  for (const Paragraph& p : r.summary) put_paragraph(c, p);
+  if (r.assumptions.empty()) return;
+  put_subheading(c, "Assumptions");
+  for (std::size_t i = 0; i < r.assumptions.size(); ++i)
+    put_lines(c, fmt::format("{}  {}", coloured(fmt::format("A{}", i + 1), grey), markup_line(r.assumptions[i])), body);
 }
 
 void put_contents(Composer& c, const std::vector<Entry>& entries) {

@@ -1,6 +1,5 @@
 // Pictures: decoded when they are drawn, one at a time; laid on white, so that the file needs no mask; no finer than print can show.
 #include <reports/document/pdf/pdf_blocks.hpp>
-#include <reports/document/pdf/pdf_link.hpp>
 
 #include <fmt/format.h>
 
@@ -53,25 +52,6 @@ Surface decode(const std::string& png, double width) {
   return result;
 }
 
-void draw_picture(cairo_t* cr, const Picture& p, const Box& box) {
-  constexpr double pixels_per_point = 300.0 / 72;
-  const Surface image = decode(p.png, box.width * pixels_per_point);
-  if (image) {
-    cairo_save(cr);
-    cairo_translate(cr, box.x, box.y);
-    cairo_scale(cr, box.width / cairo_image_surface_get_width(image.get()), box.height / cairo_image_surface_get_height(image.get()));
-    cairo_set_source_surface(cr, image.get(), 0, 0);
-    cairo_paint(cr);
-    cairo_restore(cr);
-  } else {
-    Lines(cr, coloured("This picture cannot be read.", bad), caption, box.width - 16).draw(cr, box.x + 8, box.y + 8);
-  }
-  set_colour(cr, hairline);
-  cairo_set_line_width(cr, 0.4);
-  cairo_rectangle(cr, box.x, box.y, box.width, box.height);
-  cairo_stroke(cr);
-}
-
 // Height of a picture `width` wide, in the proportions that its PNG header states; those of 4:3 when it has none.
 double height_at(const Picture& p, double width) {
   const auto big_endian = [&](std::size_t at) {
@@ -113,6 +93,30 @@ void put_shown(Composer& c, const std::vector<Shown>& row, bool keep_with_next) 
 std::string letter(std::size_t i) { return i < 26 ? fmt::format("({})", static_cast<char>('a' + i)) : fmt::format("({})", i + 1); }
 
 }  // namespace
+
+void draw_picture(cairo_t* cr, const Picture& p, const Box& box) {
+  constexpr double pixels_per_point = 300.0 / 72;
+  const Surface image = decode(p.png, box.width * pixels_per_point);
+  if (image) {
+    cairo_save(cr);
+    cairo_translate(cr, box.x, box.y);
+    cairo_scale(cr, box.width / cairo_image_surface_get_width(image.get()), box.height / cairo_image_surface_get_height(image.get()));
+    cairo_set_source_surface(cr, image.get(), 0, 0);
+    cairo_paint(cr);
+    cairo_restore(cr);
+  } else {
+    Lines(cr, coloured("This picture cannot be read.", bad), caption, box.width - 16).draw(cr, box.x + 8, box.y + 8);
+  }
+  set_colour(cr, hairline);
+  cairo_set_line_width(cr, 0.4);
+  cairo_rectangle(cr, box.x, box.y, box.width, box.height);
+  cairo_stroke(cr);
+}
+
+Box picture_box(const Picture& p, double width, double most_height) {
+  const double height = height_at(p, width), scale = std::min(1.0, most_height / height);
+  return {0, 0, scale * width, scale * height};
+}
 
 void put_gallery(Composer& c, const Gallery& g) {
   if (g.pictures.empty()) return;

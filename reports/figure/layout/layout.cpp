@@ -8,6 +8,11 @@
 #include <reports/figure/text.hpp>
 
 namespace pmreport::figure {
+
+std::string panel_letter(std::size_t i) {
+  return i < 26 ? std::string(1, static_cast<char>('a' + i)) : panel_letter(i / 26 - 1) + panel_letter(i % 26);
+}
+
 namespace {
 
 constexpr double millimetre = 72 / 25.4;  // [pt]
@@ -76,10 +81,6 @@ Margins margins_of(cairo_t* cr, const Panel& panel, PanelLayout& layout) {
     margins.bottom += legend_below + layout.legend.box.height;
   }
   return margins;
-}
-
-std::string panel_letter(std::size_t i) {
-  return i < 26 ? std::string(1, static_cast<char>('a' + i)) : panel_letter(i / 26 - 1) + panel_letter(i % 26);
 }
 
 std::string heading_of(const Figure& figure, std::size_t i) {

@@ -1,5 +1,7 @@
 #include <reports/figure/layout/legend.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +11,7 @@
 #include <reports/figure/colour_scale.hpp>
 #include <reports/figure/layout/line_names.hpp>
 #include <reports/figure/palette.hpp>
+#include <reports/figure/parts.hpp>
 #include <reports/figure/shading.hpp>
 #include <reports/figure/text.hpp>
 
@@ -97,7 +100,7 @@ std::vector<Key> keys_of(const Panel& panel) {
     const Key::Kind kind = panel.series[i].points ? (panel.map ? Key::Kind::points_over_map : Key::Kind::points)
                            : panel.map            ? Key::Kind::over_map
                                                   : Key::Kind::curve;
-    if (!panel.series[i].label.empty()) keys.push_back({kind, panel.series[i].label, style_of(panel.series[i], i)});
+    if (!panel.series[i].label.empty()) keys.push_back({kind, panel.series[i].label, style_of(panel.series[i], i), static_cast<int>(i)});
   }
   const auto any = [&](Band::Kind kind) {
     return std::any_of(panel.bands.begin(), panel.bands.end(), [&](const Band& band) { return band.kind == kind; });
@@ -172,9 +175,11 @@ void draw_legend(cairo_t* cr, const Legend& legend, bool boxed) {
   for (const Legend::Column& column : legend.columns) {
     double top = legend.box.y + padding;
     for (const Key& key : column.keys) {
+      if (key.series >= 0) begin_part(cr, fmt::format("class=\"key\" data-series=\"{}\"", key.series));
       draw_swatch(cr, key, x, top + legend.row_height / 2);
       set_colour(cr, ink);
       label_text(cr, key, column.width - swatch - swatch_gap).show(x + swatch + swatch_gap, top);
+      if (key.series >= 0) end_part(cr);
       top += legend.row_height;
     }
     x += column.width + column_gap;

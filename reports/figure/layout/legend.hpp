@@ -15,7 +15,8 @@ struct Key {
   // over_map: a curve that lies over a map; points: dots, points_over_map likewise
   enum class Kind { curve, limit, unreachable, over_map, contour, named, fill, points, points_over_map } kind;
   std::string label;
-  int style = 0;  // of a curve; the dash of a named line; the class of a fill
+  int style = 0;    // of a curve; the dash of a named line; the class of a fill
+  int series = -1;  // of the panel, where it is the key of one
 };
 
 struct Legend {

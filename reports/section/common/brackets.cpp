@@ -80,4 +80,16 @@ std::string span_words(const Bounds& time) {
                                : fmt::format("from t = {} s to {} s", trimmed(ends.low), trimmed(ends.high));
 }
 
+std::string show_volume(double si, const std::string& unit, int digits) {
+  return fmt::format("{} {}", typeset(format_number(si, digits)), typographic(unit));
+}
+
+std::string show_bracket(const Bounds& b, const std::string& unit) {
+  // As many digits as set the two ends apart, and one more.
+  int digits = 4;
+  while (digits < 15 && format_number(b.low, digits) == format_number(b.high, digits)) ++digits;
+  return fmt::format("{} to {} {}", typeset(format_number(b.low, digits + 1)), typeset(format_number(b.high, digits + 1)),
+                     typographic(unit));
+}
+
 }  // namespace pmreport::section

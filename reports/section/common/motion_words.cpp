@@ -107,7 +107,7 @@ std::vector<document::Check> motion_demands(const Analysis& a, const std::vector
   };
   const int hidden = static_cast<int>(unseen.size()), jumping = count_jumps(a);
   demand(demands::visibility, hidden, hidden == 0 ? "nothing hidden" : fmt::format("{} hidden", hidden), unseen_sentences(a, unseen));
-  if (must_be_smooth(a)) demand(demands::smoothness, jumping, plural(jumping, "jump"), jump_sentences(a));
+  if (must_be_smooth(a)) demand(demands::smoothness, jumping, jumping == 0 ? "no jump" : plural(jumping, "jump"), jump_sentences(a));
   return out;
 }
 

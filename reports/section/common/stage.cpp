@@ -70,6 +70,15 @@ Stage::Ordered Stage::portrait(const std::string& id) const {
           studio_.take(scene::build(machine, machine.home_pose(), {}), camera, quality)};
 }
 
+Stage::Ordered Stage::cover() const {
+  const scene::Quality quality{880, 720, false, 2};
+  scene::Extras extras;
+  extras.labels = extras.frames = false;
+  extras.path = path_;
+  return picture(analysis_.machine(), analysis_.machine().home_pose(), extras, bounds_, isometric, "cover",
+                 path_.size() > 1 ? "At home, with the path of the platform" : "At home", quality);
+}
+
 Stage::Ordered Stage::picture(const mechanics::Machine& machine, const mechanics::Pose& pose, const scene::Extras& extras,
                               const scene::Bounds& bounds, const View& view, const std::string& id, const std::string& caption,
                               const scene::Quality& quality) const {

@@ -38,6 +38,7 @@ class Stage {
   // The same of the home pose; without path and load, which are of a motion.
   Ordered picture_at_home(const View& view, const Look& look, const std::string& id) const;
   Ordered portrait(const std::string& id) const;  // the home pose, with labels and frames
+  Ordered cover() const;                          // the home pose and the path, small and bare
   // Any pose of a machine of this mechanism, framed by `bounds`: pictures that are to compare share them.
   Ordered picture(const mechanics::Machine& machine, const mechanics::Pose& pose, const scene::Extras& extras, const scene::Bounds& bounds,
                   const View& view, const std::string& id, const std::string& caption, const scene::Quality& quality) const;

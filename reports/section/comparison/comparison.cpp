@@ -143,6 +143,9 @@ Result comparison_section(const Analysis& a, const ComparisonOptions& r, const s
   }
   out.section.blocks.push_back(std::move(table));
   for (Paragraph& note : notes) out.section.blocks.push_back(std::move(note));
+  out.findings.push_back(
+      {reproduced == static_cast<int>(all.size()) ? document::Finding::Kind::result : document::Finding::Kind::disagreement,
+       sentence(all, r.source)});
   out.values.push_back({"comparison", "published", "", static_cast<double>(all.size())});
   out.values.push_back({"comparison", "reproduced", "", static_cast<double>(reproduced)});
   return out;

@@ -24,9 +24,11 @@ std::string definition() {
 }
 
 // What binds, where, and how the next one stands.
-void add_verdict(document::Section& s, const Analysis& a, const SpeedStudy& study) {
+void add_verdict(Result& out, const Analysis& a, const SpeedStudy& study) {
   const auto tell = [&](const std::string& text, Paragraph::Tone tone = Paragraph::Tone::plain) {
-    s.blocks.push_back(Paragraph{tone, text});
+    out.section.blocks.push_back(Paragraph{tone, text});
+    using Kind = document::Finding::Kind;
+    if (out.findings.empty()) out.findings.push_back({tone == Paragraph::Tone::warning ? Kind::fault : Kind::result, text});
   };
   const double scale = study.scale();
   if (std::isnan(scale)) return tell("No sample of the motion has forces to hold against the limits.", Paragraph::Tone::warning);
@@ -61,6 +63,7 @@ document::Table table_of(const Analysis& a, const SpeedStudy& study) {
       {"limited", "limit", "used", "largest s", "duration", "binds at"},
       {false, true, true, true, true, true},
       {}};
+  table.ranked = true;
   if (own.size() > most_rows) table.caption += fmt::format(" The {} tightest of {}.", most_rows, own.size());
   for (const SpeedStudy::Own& o : own) {
     if (table.rows.size() == most_rows) break;
@@ -102,7 +105,7 @@ Result speed_section(const Analysis& a) {
   Result out{{"speed", "speed", "Feasible speed", {}}, {}, {}, {}};
   document::Section& s = out.section;
   const SpeedStudy study(a);
-  add_verdict(s, a, study);
+  add_verdict(out, a, study);
   s.blocks.push_back(Paragraph{Paragraph::Tone::plain, definition()});
   const auto missing =
       std::count_if(study.feasible().largest.begin(), study.feasible().largest.end(), [](double x) { return std::isnan(x); });

@@ -229,8 +229,9 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
   if (!gives) {
     tell("Nothing gives way: the mechanism declares no elastic element, or all are taken as rigid. Its compliance is zero.",
          Paragraph::Tone::warning);
-    out.summary.push_back(
-        "No elastic element: stiffness was not examined. Add [[element]], beam = [\"A1\", \"B1\"], diameter and material.");
+    out.findings.push_back(
+        {document::Finding::Kind::fault,
+         "No elastic element: stiffness was not examined. Add [[element]], beam = [\"A1\", \"B1\"], diameter and material."});
     s.blocks.emplace_back(
         document::Proof{{document::Evidence::not_examined("Elasticity", "force method on the joint reactions", "no element gives way")}});
     for (const auto& [name, unit] : {std::pair{"rank", ""},
@@ -307,7 +308,7 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
         fmt::format("With the bending of beams by forces pF_max at home is {}, {} times that of the same beams without it.",
                     show(mechanics::deformation_indices(home.tool.compliance).pF_max, "m/N", 3), typeset(format_number(factor, 5)));
     tell(sentence);
-    if (factor > 10) out.summary.push_back(sentence);
+    if (factor > 10) out.findings.push_back({document::Finding::Kind::surprise, sentence});
   }
   if (a.samples() > 0) {
     for (figure::Figure& f : motion_figures(a)) s.blocks.emplace_back(std::move(f));
@@ -376,8 +377,9 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
       if (e.kind == ElementKind::beam) buckling = std::fmin(buckling, extreme(a, column_of(e, analysis::OfElement::buckling), false));
     value("least_buckling", "", buckling);
     if (std::isfinite(buckling) && buckling < 1)
-      out.summary.push_back(
-          fmt::format("A beam buckles: its compression is {} times what it can carry by Euler.", typeset(format_number(1 / buckling, 3))));
+      out.findings.push_back(
+          {document::Finding::Kind::fault, fmt::format("A beam buckles: its compression is {} times what it can carry by Euler.",
+                                                       typeset(format_number(1 / buckling, 3)))});
   }
   const bool known = home.pose.known;
   value("rank", "", known ? mechanics::rank_of(home.pose.compliance, a.length()) : nan);

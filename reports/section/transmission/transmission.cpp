@@ -44,7 +44,7 @@ Result transmission_section(const Context& c, const TransmissionOptions& r) {
   const bool moves = a.samples() > 0;
   const std::string worst = moves ? worst_words(a) : "";
   tell(worst);
-  if (!worst.empty()) out.summary.push_back(worst);
+  if (!worst.empty()) out.findings.push_back({document::Finding::Kind::result, worst});
   if (moves) {
     s.blocks.push_back(transmission_figure(a));
     s.blocks.push_back(transmission_worst(a));

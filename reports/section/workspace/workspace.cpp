@@ -36,7 +36,8 @@ Result workspace_section(const Context& context, const WorkspaceOptions& options
   if (document::Table reasons = workspace_reasons(w); !reasons.rows.empty()) s.blocks.push_back(std::move(reasons));
   if (document::Table safe = safe_limits(w, machine); !safe.rows.empty()) s.blocks.push_back(std::move(safe));
   s.blocks.push_back(workspace_proof(w, machine));
-  if (std::string sentence = workspace_summary(w, options.name); !sentence.empty()) out.summary.push_back(std::move(sentence));
+  if (std::string sentence = workspace_summary(w, options.name); !sentence.empty())
+    out.findings.push_back({document::Finding::Kind::result, std::move(sentence)});
   out.values = workspace_values(w, machine, options);
   out.data = std::move(drawn.data);
   out.data.insert(out.data.begin(), workspace_counts(w, id));

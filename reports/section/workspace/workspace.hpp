@@ -27,9 +27,6 @@ document::Proof workspace_proof(const Workspace& w, const mechanics::Machine& ma
 std::vector<document::Value> workspace_values(const Workspace& w, const mechanics::Machine& machine, const WorkspaceOptions& options);
 document::Data workspace_counts(const Workspace& w, const std::string& name);  // workspace.csv
 
-// A number of cubic metres, or of whatever unit, as a reader has it: "0.1876 m³", "2.61 m²·rad".
-std::string show_volume(double si, const std::string& unit, int digits = 5);
-std::string show_bracket(const program::Bounds& b, const std::string& unit);
 // "z = 920 mm and α = 0°": what the scan holds; empty: nothing.
 std::string held_words(const analysis::Workspace& w, const mechanics::Machine& machine);
 // An end of the safe box, rounded towards home to whole thousandths of a millimetre or of a degree.

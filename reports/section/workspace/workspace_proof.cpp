@@ -4,6 +4,7 @@
 #include <core/analysis/workspace/answers.hpp>
 #include <core/analysis/workspace/by_definition.hpp>
 #include <core/text/text.hpp>
+#include <reports/section/common/brackets.hpp>
 #include <reports/section/common/words.hpp>
 
 #include <fmt/format.h>

@@ -3,6 +3,7 @@
 
 #include <core/analysis/workspace/answers.hpp>
 #include <core/text/text.hpp>
+#include <reports/section/common/brackets.hpp>
 #include <reports/section/common/words.hpp>
 
 #include <fmt/format.h>
@@ -94,18 +95,6 @@ SafeEnd safe_end_of(double si, const Coordinate& c, bool upper) {
   double whole = upper ? std::floor(x * parts) : std::ceil(x * parts);
   while (upper ? whole / parts > x : whole / parts < x) whole += upper ? -1 : 1;
   return {whole / parts, length ? "mm" : "deg"};
-}
-
-std::string show_volume(double si, const std::string& unit, int digits) {
-  return fmt::format("{} {}", typeset(format_number(si, digits)), typographic(unit));
-}
-
-std::string show_bracket(const program::Bounds& b, const std::string& unit) {
-  // As many digits as set the two ends apart, and one more.
-  int digits = 4;
-  while (digits < 15 && format_number(b.low, digits) == format_number(b.high, digits)) ++digits;
-  return fmt::format("{} to {} {}", typeset(format_number(b.low, digits + 1)), typeset(format_number(b.high, digits + 1)),
-                     typographic(unit));
 }
 
 std::string margin_words(const Workspace& w, int margin) {

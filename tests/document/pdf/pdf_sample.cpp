@@ -93,10 +93,10 @@ Report full_report() {
                     "where it begins at the same place\n";
   for (int i = 0; i < 60; ++i) r.scenario_text += fmt::format("samples_{} = {}\n", i, 500 + i);
   r.summary = {{Paragraph::Tone::plain, "501 samples over 10 s; all can be reached."},
-               {Paragraph::Tone::note, "The dependent coordinate y stays within 3.2 mm of zero."},
-               {Paragraph::Tone::warning,
-                "t = 1.32 s: limb 3 needs 812.4 mm, its stroke ends at 800.0 mm. Twelve samples break a limit; they are shaded in "
-                "the curves and keep their values in the data."}};
+               {Paragraph::Tone::note, "The dependent coordinate y stays within 3.2 mm of zero."}};
+  r.findings = {{Finding::Kind::fault,
+                 "t = 1.32 s: limb 3 needs 812.4 mm, its stroke ends at 800.0 mm. Twelve samples break a limit; they are shaded in "
+                 "the curves and keep their values in the data."}};
 
   Section mechanism{"mechanism", "mechanism", "The mechanism", {}};
   mechanism.blocks.push_back(Paragraph{Paragraph::Tone::plain,

@@ -103,11 +103,11 @@ TEST_CASE("what a proof does not decide the samples do, and the demands say that
   t.proof.claims[slide].state = State::undecided;
   t.proof.claims[slide].undecided = {{1, 1.1}};
   CHECK(t.checks()[1].passed);
-  CHECK(t.checks()[1].measured == "0 of 21 samples");
+  CHECK(t.checks()[1].measured == "at 21 of 21 samples");
   CHECK_FALSE(t.checks()[1].proved);
   t.proof.unexamined = "it follows from forces";
   for (const document::Check& c : t.checks()) CHECK(c.passed);
-  CHECK(t.checks()[0].measured == "0 of 21 samples");
+  CHECK(t.checks()[0].measured == "at 21 of 21 samples");
 }
 
 TEST_CASE("a change of the sign of det G that the proof alone knows is a singular surface met") {
@@ -298,14 +298,14 @@ TEST_CASE("meetings with a singular surface stand in a table with their enclosin
   CHECK_THAT(report_words::table_of(many, "Where the motion meets a singular surface").caption, Contains("The first 24 of 30"));
 }
 
-TEST_CASE("every report of a motion closes with what holds at every instant, and its summary has the same sentence") {
+TEST_CASE("every report of a motion closes with what holds at every instant, and its findings have the same sentence") {
   const document::Report r = whole_report::of_gantry(whole_report::asking_for({"displacement"}));
   REQUIRE(r.sections.back().id == "every-instant");
   const auto sentence = std::get<document::Paragraph>(r.sections.back().blocks.front()).text;
   REQUIRE(r.every_instant);
   CHECK(r.every_instant->sentence == sentence);
   bool told = false;
-  for (const document::Paragraph& p : r.summary) told = told || p.text == sentence;
+  for (const document::Finding& f : r.findings) told = told || f.text == sentence;
   CHECK(told);
 }
 

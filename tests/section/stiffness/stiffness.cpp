@@ -95,8 +95,8 @@ TEST_CASE("a mechanism without elements is told to be rigid, and stiffness as no
   const gantry::Run r(pushed + stiffness);
   const section::Result out = told(r);
   CHECK_THAT(gantry::text_of(out.section), Contains("Nothing gives way"));
-  REQUIRE(out.summary.size() == 1);
-  CHECK_THAT(out.summary[0], Contains("stiffness was not examined") && Contains("[[element]]"));
+  REQUIRE(out.findings.size() == 1);
+  CHECK_THAT(out.findings[0].text, Contains("stiffness was not examined") && Contains("[[element]]"));
   gantry::check_proofs(out.section, 1, 1);
 }
 

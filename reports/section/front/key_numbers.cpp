@@ -1,0 +1,311 @@
+#include <reports/section/front/key_numbers.hpp>
+
+#include <core/analysis/study/reduce.hpp>
+#include <core/analysis/transmission/transmission_numbers.hpp>
+#include <core/mechanics/machine/joint_words.hpp>
+#include <core/mechanics/model/effort.hpp>
+#include <core/mechanics/model/joint_motion.hpp>
+#include <reports/section/common/brackets.hpp>
+#include <reports/section/common/words.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+namespace pmreport::section {
+
+using document::KeyNumber;
+
+namespace {
+
+constexpr std::size_t most = 6;
+constexpr double nearly_used = 0.8;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+std::string upper_first(std::string s) {
+  if (!s.empty()) s[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(s[0])));
+  return s;
+}
+
+// Gathers candidates, what matters most first.
+class Candidates {
+ public:
+  Candidates(const Analysis& a, const document::Report& r) : a_(a), r_(r) {}
+
+  std::vector<KeyNumber> take() && { return std::move(out_); }
+
+  void add_ranges() {
+    if (a_.samples() == 0 || !has("displacement")) return;
+    const Topology& t = a_.machine().topology();
+    std::optional<Used> stroke, joint;
+    for (const Actuator& x : t.actuators) look(stroke, column_of(x), x.stroke, {}, symbol(x.name), x.unit);
+    for (const Joint& j : t.joints)
+      for (std::size_t k = 0; k < j.limits.size(); ++k)
+        if (mechanics::is_told(j, k))
+          look(joint, analysis::joint_column(j, k), j.limits[k], &j, "joint " + j.name, mechanics::motion_unit(j));
+    put(stroke, "Stroke used most", "stroke");
+    put(joint, "Joint motion used most", "limits");
+  }
+
+  // Of [limits] the one that is used most; else the largest force and torque.
+  void add_forces() {
+    if (a_.samples() == 0) return;
+    const Topology& t = a_.machine().topology();
+    const bool moving = a_.has_dynamics() && has("dynamics");
+    if (!moving && !has("statics")) return;
+    for (const Sense sense : {Sense::linear, Sense::rotary}) {
+      KeyNumber best;
+      for (std::size_t i = 0; i < t.actuators.size(); ++i) {
+        const Actuator& x = t.actuators[i];
+        const ColumnId column = column_of(x, moving ? OfActuator::dynamic_force : OfActuator::static_force);
+        if (x.sense() != sense || !a_.has(column)) continue;
+        const analysis::Peak peak = analysis::peak(a_, column);
+        if (peak.sample < 0) continue;
+        const std::vector<double>& limits = a_.scenario().limits.force;
+        const double limit = moving && i < limits.size() && std::isfinite(limits[i]) ? limits[i] : nan, size = std::abs(peak.value);
+        const double used = size / limit;
+        if (!best.what.empty() && !(std::isfinite(used) ? used > best.used || !best.limited() : !best.limited() && size > best.number))
+          continue;
+        const std::string word = mechanics::word_of_effort(sense), unit = mechanics::unit_of_effort(sense);
+        best = {upper_first("largest " + word + " of an actuator" + (moving ? "" : ", at rest")),
+                show(size, unit),
+                std::isfinite(limit) ? "limit " + show(limit, unit) : "",
+                symbol(x.name) + ", t = " + show_time(a_, peak.sample),
+                moving ? "dynamics" : "statics",
+                used,
+                size,
+                limit,
+                unit};
+      }
+      if (!best.what.empty()) out_.push_back(best);
+    }
+  }
+
+  void add_power() {
+    if (a_.samples() == 0 || !a_.has_dynamics()) return;
+    const Topology& t = a_.machine().topology();
+    KeyNumber best;
+    for (std::size_t i = 0; i < t.actuators.size(); ++i) {
+      const std::vector<double>& limits = a_.scenario().limits.power;
+      if (i >= limits.size() || !std::isfinite(limits[i])) continue;
+      const analysis::Peak peak = analysis::peak(a_, column_of(t.actuators[i], OfActuator::power));
+      const double size = std::abs(peak.value), used = size / limits[i];
+      if (peak.sample < 0 || (!best.what.empty() && !(used > best.used))) continue;
+      best = {"Largest power of an actuator",
+              show(size, "W"),
+              "limit " + show(limits[i], "W"),
+              symbol(t.actuators[i].name) + ", t = " + show_time(a_, peak.sample),
+              "dynamics",
+              used,
+              size,
+              limits[i],
+              "W"};
+    }
+    if (!best.what.empty()) out_.push_back(best);
+  }
+
+  void add_moments() {
+    if (a_.samples() == 0 || !has("reactions")) return;
+    KeyNumber best;
+    for (const Joint& j : a_.machine().topology().joints) {
+      const ColumnId column = column_of(j, OfJoint::force);
+      if (!a_.has(column)) continue;
+      const analysis::Peak peak = analysis::peak(a_, column);
+      if (peak.sample >= 0 && (best.what.empty() || std::abs(peak.value) > best.number))
+        best = {"Largest force in a joint",
+                show(std::abs(peak.value), "N"),
+                "",
+                "joint " + j.name + ", t = " + show_time(a_, peak.sample),
+                "reactions",
+                nan,
+                std::abs(peak.value),
+                nan,
+                "N"};
+    }
+    if (!best.what.empty()) out_.push_back(best);
+  }
+
+  void add_transmission() {
+    const double least = value("transmission", "least_local");
+    if (!std::isfinite(least)) return;
+    const ColumnId column = column_of(OfMachine::local_transmission);
+    KeyNumber k{"Least local transmission index",
+                number(least, 3),
+                number(good, 2) + " is called good",
+                "",
+                "transmission",
+                good / least,
+                least,
+                good,
+                ""};
+    if (a_.has(column)) k.where = at_least(column);
+    out_.push_back(k);
+  }
+
+  void add_singularity() {
+    const double condition = value("singularity", "largest_condition");
+    if (std::isnan(condition)) return;
+    const ColumnId column = column_of(OfMachine::condition);
+    KeyNumber k{
+        "Largest condition number", std::isfinite(condition) ? number(condition, 3) : "∞", "", "", "singularity", nan, condition, nan, ""};
+    if (a_.samples() > 0 && a_.has(column)) {
+      const analysis::Peak peak = analysis::peak(a_, column);
+      if (peak.sample >= 0) k.where = "t = " + show_time(a_, peak.sample);
+    }
+    out_.push_back(k);
+  }
+
+  void add_speed() {
+    const double scale = value("speed", "scale");
+    if (!std::isfinite(scale) || !(scale > 0)) return;
+    out_.push_back({"Feasible speed, of that written", number(scale, 3) + " times", "1 at least", "", "speed", 1 / scale, scale, 1, ""});
+  }
+
+  void add_stiffness() {
+    if (const double d = value("stiffness", "largest_deflection"); std::isfinite(d)) {
+      KeyNumber k{"Largest deflection", show(d, "m"), "", "", "stiffness", nan, d, nan, "m"};
+      if (const ColumnId column = column_of(analysis::OfStiffness::deflection_size); a_.has(column))
+        k.where = "t = " + show_time(a_, analysis::peak(a_, column).sample);
+      out_.push_back(k);
+    }
+    double f = value("stiffness", "lowest_frequency");
+    const bool at_home = std::isnan(f);
+    if (at_home) f = value("stiffness", "home_frequency");
+    if (std::isfinite(f))
+      out_.push_back({"Lowest natural frequency", show(f, "Hz"), "", at_home ? "at home" : "", "stiffness", nan, f, nan, "Hz"});
+    if (const double b = value("stiffness", "least_buckling"); std::isfinite(b))
+      out_.push_back({"Least buckling load factor", number(b, 3), "1 at least", "", "stiffness", 1 / b, b, 1, ""});
+  }
+
+  void add_volumes() {
+    for (const document::Section& s : r_.sections) {
+      if (s.kind != "workspace") continue;
+      const std::string point = s.id.starts_with("workspace-") ? s.id.substr(10) + "." : "";
+      const document::Value* volume = found("workspace", point + "volume");
+      if (volume == nullptr) continue;
+      const double low = value("workspace", point + "volume_low"), high = value("workspace", point + "volume_high");
+      KeyNumber k{point.empty() ? "Volume of the workspace" : "Workspace " + point.substr(0, point.size() - 1),
+                  std::isfinite(low) && std::isfinite(high) && high > low ? show_bracket({low, high}, volume->unit)
+                                                                          : show_volume(volume->value, volume->unit),
+                  "",
+                  "",
+                  s.id,
+                  nan,
+                  volume->value,
+                  nan,
+                  volume->unit};
+      out_.push_back(k);
+    }
+  }
+
+  void add_comparison() {
+    const double published = value("comparison", "published"), good_ones = value("comparison", "reproduced");
+    if (!(published > 0)) return;
+    out_.push_back({"Published values that reproduce", fmt::format("{:.0f} of {:.0f}", good_ones, published), "", "", "comparison", nan,
+                    good_ones, nan, ""});
+  }
+
+ private:
+  static constexpr double good = analysis::good_transmission;
+  struct Used {
+    double share, value, middle, end;
+    int sample;
+    std::string whose, unit;
+    Range range;
+  };
+
+  static std::string number(double x, int digits) { return typeset(format_number(x, digits)); }
+  bool has(std::string_view kind) const {
+    return std::ranges::any_of(r_.sections, [&](const document::Section& s) { return s.kind == kind; });
+  }
+  const document::Value* found(std::string_view section, std::string_view name) const {
+    for (const document::Value& v : r_.values)
+      if (v.section == section && v.name == name) return &v;
+    return nullptr;
+  }
+  double value(std::string_view section, std::string_view name) const {
+    const document::Value* v = found(section, name);
+    return v != nullptr ? v->value : nan;
+  }
+  std::string at_least(const ColumnId& column) const {
+    const std::vector<double>& x = a_.column(column);
+    int best = -1;
+    for (int k = 0; k < static_cast<int>(x.size()); ++k)
+      if (const double v = x[static_cast<std::size_t>(k)]; std::isfinite(v) && (best < 0 || v < x[static_cast<std::size_t>(best)]))
+        best = k;
+    return best < 0 ? "" : "t = " + show_time(a_, best);
+  }
+
+  // A deflection counts from zero, which is no limit; of any other motion both ends are, and the middle is farthest from them.
+  void look(std::optional<Used>& best, const ColumnId& column, const Range& range, const Joint* joint, const std::string& whose,
+            const std::string& unit) const {
+    const bool from_zero = joint != nullptr && joint->kind == JointKind::spherical;
+    if (!std::isfinite(range.max) || (!from_zero && !std::isfinite(range.min)) || !(range.max > range.min) || !a_.has(column)) return;
+    const double middle = from_zero ? 0 : 0.5 * (range.min + range.max), half = range.max - middle;
+    const std::vector<double>& x = a_.column(column);
+    for (int k = 0; k < static_cast<int>(x.size()); ++k) {
+      const double v = x[static_cast<std::size_t>(k)], share = std::abs(v - middle) / half;
+      if (!(share > (best ? best->share : -1))) continue;
+      best = Used{share, v, middle, v < middle ? range.min : range.max, k, whose, unit, range};
+    }
+  }
+  void put(const std::optional<Used>& u, const char* what, const char* range) {
+    if (!u) return;
+    const Apart apart = show_apart(u->value, u->end, u->unit);
+    // A limit that is met exactly is kept.
+    const double share = u->share > 1 && u->share < 1 + 1e-12 ? 1 : u->share;
+    const bool two = std::isfinite(u->range.min) && u->range.max - u->range.min > (u->range.max - u->middle) * 1.5;
+    const std::string limit =
+        two ? fmt::format("{} {} to {}", range, show(u->range.min, u->unit), show(u->range.max, u->unit)) : "limit " + apart.beside;
+    out_.push_back(
+        {what, apart.value, limit, u->whose + ", t = " + show_time(a_, u->sample), "displacement", share, u->value, u->end, u->unit});
+  }
+
+  const Analysis& a_;
+  const document::Report& r_;
+  std::vector<KeyNumber> out_;
+};
+
+// A check of the scenario that bounds the same number from above, or from below.
+void take_limit_of_a_check(KeyNumber& k, const document::Report& r) {
+  for (const document::Check& c : r.checks) {
+    const double size = std::abs(c.value);
+    if (k.limited() || c.line <= 0 || c.unit != k.unit || !std::isfinite(c.bound) || !(std::abs(c.bound) > 0)) continue;
+    if (!(std::abs(size - std::abs(k.number)) <= 1e-12 * size)) continue;
+    const bool below = c.limit.starts_with("<") || c.limit.starts_with("≤"), above = c.limit.starts_with(">") || c.limit.starts_with("≥");
+    if (!(below || above) || !(size > 0)) continue;
+    k.used = below ? size / std::abs(c.bound) : std::abs(c.bound) / size;
+    k.bound = c.bound, k.limit = "checked: " + c.limit;
+  }
+}
+
+}  // namespace
+
+std::vector<KeyNumber> key_numbers(const Analysis& a, const document::Report& r) {
+  Candidates candidates(a, r);
+  candidates.add_ranges();
+  candidates.add_forces();
+  candidates.add_power();
+  candidates.add_transmission();
+  candidates.add_singularity();
+  candidates.add_stiffness();
+  candidates.add_speed();
+  candidates.add_comparison();
+  candidates.add_volumes();
+  candidates.add_moments();
+  std::vector<KeyNumber> out = std::move(candidates).take();
+  for (KeyNumber& k : out) take_limit_of_a_check(k, r);
+  const auto class_of = [](const KeyNumber& k) { return k.broken() ? 0 : k.limited() && k.used >= nearly_used ? 1 : k.limited() ? 2 : 3; };
+  std::ranges::stable_sort(out, [&](const KeyNumber& x, const KeyNumber& y) {
+    const int of_x = class_of(x), of_y = class_of(y);
+    if (of_x != of_y) return of_x < of_y;
+    return of_x < 2 && x.used > y.used;
+  });
+  if (out.size() > most) out.resize(most);
+  return out;
+}
+
+}  // namespace pmreport::section
