@@ -11,7 +11,8 @@
 namespace pmreport::program {
 
 // The same program but that the outputs of each `group` in turn, so many at a time and the rest last, are multiplied by what all of them
-// are divided by, as far as sums and products show it. Of either sign, and where it is zero the outputs have values that they had not.
+// are divided by, as far as sums and products show it. Of either sign. Where it is zero the outputs have values that they had not: what is
+// told of all poses of a box is told of these poses by their neighbours.
 Program without_common_divisors(const Program& program, std::size_t group);
 
 }  // namespace pmreport::program

@@ -7,7 +7,7 @@ namespace pmreport::document {
 
 namespace {
 
-constexpr std::size_t long_table = 14;  // rows from which on a table is long
+constexpr std::size_t long_table = 14;  // rows; with more a table is long
 constexpr std::size_t shown = 5;        // rows of a ranked one
 constexpr const char* appendix = "Long tables";
 
@@ -64,6 +64,11 @@ Report arranged(Report r, Detail detail) {
   if (detail != Detail::brief) return r;
   for (Section& s : r.sections) shorten(s);
   std::erase_if(r.sections, [](const Section& s) { return s.blocks.empty(); });
+  const auto gone = [&](const std::string& id) { return std::ranges::find(r.sections, id, &Section::id) == r.sections.end(); };
+  for (KeyNumber& k : r.key_numbers)
+    if (gone(k.section)) k.section.clear();
+  for (Finding& f : r.findings)
+    if (gone(f.section)) f.section.clear();
   return r;
 }
 

@@ -102,7 +102,7 @@ std::vector<std::string> files_of(const Names& names) {
   for (const std::string& name : names.pictures) files.push_back("snapshots/" + name + ".png");
   for (const std::string& name : names.data) files.push_back("data/" + name + ".csv");
   for (const std::string& name : names.files) files.push_back("data/" + name);
-  files.insert(files.end(), {"junit.xml", "results.json"});
+  files.insert(files.end(), {"summary.md", "junit.xml", "results.json"});
   return files;
 }
 

@@ -13,6 +13,9 @@ std::string to_pdf(const Report& r);   // A4: title, contents, sections, vector 
 std::string to_csv(const Data& d);     // fields as in RFC 4180, lines end in LF; '.' decimal, shortest digits that read back the same
 std::string to_json(const Report& r);  // results.json
 std::string to_junit(const Report& r);
+std::string to_markdown(const Report& r);  // summary.md: the first page for a job's summary
+// What fails, as workflow commands of GitHub Actions about this scenario: ten lines at most.
+std::string to_annotations(const Report& r, const std::string& file);
 
 // Writes everything below `folder`: made whole beside it, then renamed, so that a report is the old one or the new one, never half.
 // Replaces an empty folder or an earlier report; a folder that holds anything else is refused. Throws OutputError, or Interrupted once

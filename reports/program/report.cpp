@@ -12,7 +12,9 @@
 
 #include <fmt/core.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <string_view>
 #include <optional>
 
 namespace pmreport::program {
@@ -39,6 +41,24 @@ void print_verdict(const document::Report& report, const std::string& folder) {
   fmt::print("{}: {} checks, {} lines of evidence{}; {}/report.html\n", report.passed() ? "passed" : "FAILED", checks.total(),
              evidence.total(), others.empty() ? "" : ", " + others, folder);
   if (report.every_instant) fmt::print("{}\n", report.every_instant->sentence);
+}
+
+document::Detail level_of(scenario::Detail detail) {
+  switch (detail) {
+    case scenario::Detail::brief:
+      return document::Detail::brief;
+    case scenario::Detail::engineering:
+      return document::Detail::engineering;
+    case scenario::Detail::full:
+      break;
+  }
+  return document::Detail::full;
+}
+
+// GitHub shows what these lines say beside the lines of the scenario.
+void print_annotations(const document::Report& report, const std::string& scenario) {
+  const char* github = std::getenv("GITHUB_ACTIONS");
+  if (github != nullptr && std::string_view(github) == "true") fmt::print("{}", document::to_annotations(report, scenario));
 }
 
 // Whether a report agrees with the baseline; what does not is told a line each.
@@ -81,13 +101,14 @@ int report(const Options& options, bool (*stop)()) {
                                    checkpoints_of(folder), options.resume};
   const document::Report report =
       document::arranged(section::make_report(loaded, PMREPORT_VERSION, catalog.find(loaded.scenario.mechanism)->build, progress),
-                         static_cast<document::Detail>(loaded.scenario.detail));
+                         level_of(loaded.scenario.detail));
   terminal.say("writing " + folder);
   document::write(report, folder, stop);
   std::error_code none_there;
   std::filesystem::remove_all(checkpoints_of(folder), none_there);
   terminal.clear();
   if (!options.quiet) print_verdict(report, folder);
+  print_annotations(report, options.scenario);
   const bool as_before = !baseline || agrees(report, folder, *baseline, options);
   return report.passed() && as_before ? all_well : gate_failed;
 }

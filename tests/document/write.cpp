@@ -67,7 +67,7 @@ TEST_CASE("a report is written with every file that it lists, and nothing beside
   const auto content = content_of(place / "report");
   std::set<std::string> names;
   for (const auto& [name, bytes] : content) names.insert(name);
-  CHECK(names == std::set<std::string>{"report.html", "report.pdf", "results.json", "junit.xml", "figures/displacement.svg",
+  CHECK(names == std::set<std::string>{"report.html", "report.pdf", "results.json", "junit.xml", "summary.md", "figures/displacement.svg",
                                        "figures/displacement.pdf", "figures/statics.svg", "figures/statics.pdf", "snapshots/pose-0.png",
                                        "snapshots/pose-5.png", "data/displacement.csv", "data/statics.csv"});
   const auto listed = nlohmann::json::parse(content.at("results.json"))["files"].get<std::set<std::string>>();

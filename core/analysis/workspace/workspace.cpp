@@ -99,9 +99,7 @@ void count_the_grid(Workspace& w, const mechanics::Machine& machine, const Progr
   w.sheet = scan::sheet_of(counts, turned, *w.grid, nearest_to_home(w, machine));
 }
 
-void prove(Workspace& w, const Progress& progress) {
-  w.not_proved = unprovable(w);
-  if (!w.not_proved.empty()) return;
+void prove_volumes(Workspace& w, const Progress& progress) {
   scan::VolumeOptions options;
   options.gap = w.request.gap, options.seconds = w.request.seconds;
   if (w.scan.orientations.empty()) {
@@ -113,6 +111,17 @@ void prove(Workspace& w, const Progress& progress) {
     w.proof_at_least.push_back(scan::prove_volume(w.set, w.scan, options, watch_of(progress, fmt::format("workspace, proof, {}", need))));
   }
   w.proof = w.proof_at_least.front();
+}
+
+void prove(Workspace& w, const Progress& progress) {
+  w.not_proved = unprovable(w);
+  if (!w.not_proved.empty()) return;
+  try {
+    prove_volumes(w, progress);
+  } catch (const program::ProgramError& e) {
+    w.proof.reset(), w.proof_at_least.clear();
+    w.not_proved = fmt::format("the limits are too long a program to be proved over so many coordinates: {}", e.what());
+  }
 }
 
 void find_safe_poses(Workspace& w, const mechanics::Machine& machine, const Progress& progress) {
@@ -141,8 +150,13 @@ void find_safe_poses(Workspace& w, const mechanics::Machine& machine, const Prog
   if (centre.empty()) return;
   w.safe_axes = around.points;
   w.safe_proportions = options.proportions;
-  w.safe_box = scan::safe_box(w.set, around, centre, options, watch_of(progress, "workspace, safe box"));
-  w.safe_ball = scan::safe_ball(w.set, around, centre, options, watch_of(progress, "workspace, safe ball"));
+  try {
+    w.safe_box = scan::safe_box(w.set, around, centre, options, watch_of(progress, "workspace, safe box"));
+    w.safe_ball = scan::safe_ball(w.set, around, centre, options, watch_of(progress, "workspace, safe ball"));
+  } catch (const program::ProgramError& e) {
+    w.safe_box = scan::SafeBox{}, w.safe_ball.reset();
+    w.safe_box->why = fmt::format("the limits are too long a program to be proved over so many coordinates: {}", e.what());
+  }
 }
 
 }  // namespace

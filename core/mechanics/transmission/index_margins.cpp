@@ -42,8 +42,10 @@ class Margins {
     const auto cosine_of = [](double angle) { return std::cos(std::clamp(angle, 0.0, std::numbers::pi / 2)); };
     for (std::size_t i = 0; i < drives_.size(); ++i) {
       const Vector3<Recorded> f = drives_.pressure_force(i), v = drives_.pressure_velocity(i, motions_[i]);
-      if (std::isfinite(limit.min)) outputs_.push_back(at_most(f, v, cosine_of(limit.min)));
-      if (std::isfinite(limit.max)) outputs_.push_back(at_least(f, v, cosine_of(limit.max)));
+      // No angle is less than none, or more than a right one.
+      if (std::isfinite(limit.min)) outputs_.push_back(limit.min > 0 ? at_most(f, v, cosine_of(limit.min)) : Recorded(1.0));
+      if (std::isfinite(limit.max))
+        outputs_.push_back(limit.max < std::numbers::pi / 2 ? at_least(f, v, cosine_of(limit.max)) : Recorded(1.0));
     }
   }
 

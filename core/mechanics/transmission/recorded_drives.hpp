@@ -19,7 +19,6 @@ class RecordedDrives {
   explicit RecordedDrives(const Machine& machine, int guides = 0);
 
   std::size_t size() const { return drives_.size(); }
-  const DrivePath& path(std::size_t i) const { return drives_[i]; }
   program::Recorder& recorder() { return recorder_; }
 
   // A = dr/dq: of actuator i by coordinate c.

@@ -284,10 +284,14 @@ std::optional<PoseMargins> pose_margins(const Machine& machine, const LimitChoic
   if (out.late > 0) out.judge_late = late.judge();
   try {
     out.program = recorder.finish(margins.outputs);
-    out.late_over_boxes = late.over_boxes();
   } catch (const program::ProgramError& e) {
     if (why != nullptr) *why = e.what();
     return std::nullopt;
+  }
+  try {
+    out.late_over_boxes = late.over_boxes();
+  } catch (const program::ProgramError&) {
+    // Too long: no proof is made, and poses are judged as ever.
   }
   return out;
 }

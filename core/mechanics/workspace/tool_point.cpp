@@ -1,12 +1,13 @@
 #include <core/mechanics/workspace/tool_point.hpp>
 
-#include <core/program/batch.hpp>
+#include <core/program/batches.hpp>
 #include <core/program/evaluate.hpp>
 #include <core/program/recorder.hpp>
 
 #include <fmt/format.h>
 
 #include <array>
+#include <memory>
 
 namespace pmreport::mechanics {
 
@@ -75,9 +76,10 @@ std::vector<double> ToolPoint::by_tool(std::span<const double> machine_pose) con
 
 ToolPoint::Judge ToolPoint::of_tool(Judge of_machine) const {
   if (!of_machine) return of_machine;
-  return [program = to_machine_, judge = std::move(of_machine)](std::size_t count, const double* poses, double* out) {
-    std::vector<double> moved(program.outputs().size() * count);
-    program::Batch(program).run(count, poses, moved.data());
+  return [batches = std::make_shared<program::Batches>(to_machine_), judge = std::move(of_machine)](std::size_t count, const double* poses,
+                                                                                                     double* out) {
+    std::vector<double> moved(batches->program().outputs().size() * count);
+    batches->run(count, poses, moved.data());
     judge(count, moved.data(), out);
   };
 }

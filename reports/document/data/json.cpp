@@ -77,13 +77,14 @@ Json list_of(const Items& items) {
 }
 
 void add_warnings(Json& out, const std::string& section, const Paragraph& paragraph) {
-  if (paragraph.tone == Paragraph::Tone::warning) out.push_back({{"section", section}, {"text", paragraph.text}});
+  const Json told{{"section", section}, {"text", paragraph.text}};
+  if (paragraph.tone == Paragraph::Tone::warning && std::ranges::find(out, told) == out.end()) out.push_back(told);
 }
 
 Json warnings_of(const Report& r) {
   Json out = Json::array();
   for (const Finding& f : r.findings)
-    if (f.kind == Finding::Kind::fault) out.push_back({{"section", ""}, {"text", f.text}});
+    if (f.kind == Finding::Kind::fault) out.push_back({{"section", f.section}, {"text", f.text}});
   for (const Section& section : r.sections) {
     for (const Block& block : section.blocks) {
       if (const auto* paragraph = std::get_if<Paragraph>(&block)) add_warnings(out, section.id, *paragraph);

@@ -32,6 +32,7 @@ void write(const Report& r, const std::string& folder, bool (*interrupted)()) {
   for (std::size_t i = 0; i < pictures.size(); ++i) add("snapshots/" + names.pictures[i] + ".png", pictures[i]->png);
   for (std::size_t i = 0; i < r.data.size(); ++i) add("data/" + names.data[i] + ".csv", to_csv(r.data[i]));
   for (std::size_t i = 0; i < r.files.size(); ++i) add("data/" + names.files[i], r.files[i].bytes);
+  add("summary.md", to_markdown(r));
   add("junit.xml", to_junit(r));
   add("results.json", to_json(r));
   go_on();

@@ -1,5 +1,7 @@
 #include <reports/document/html/figure_words.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -46,7 +48,7 @@ Extremes extremes_of(const std::vector<double>& x, const std::vector<double>& y)
 std::string told(const Extremes& e, const Axis& x, const Axis& y) {
   if (e.points == 0) return "no data";
   std::string out;
-  if (number(e.low) == number(e.high))
+  if (e.high - e.low <= 1e-12 * std::max(std::abs(e.low), std::abs(e.high)))
     out = with_unit(e.low, y) + (e.points > 1 ? " throughout" : " at " + with_unit(e.at_low, x));
   else
     out = "from " + with_unit(e.low, y) + " (at " + with_unit(e.at_low, x) + ") to " + with_unit(e.high, y) + " (at " +
@@ -113,8 +115,8 @@ void tell_bands(const Panel& panel, std::vector<std::string>& lines) {
       ++bands;
     }
     if (bands == 0) continue;
-    lines.push_back(std::string("shaded, ") + (kind == figure::Band::Kind::limit ? "limit broken" : "out of reach") + ": " +
-                    counted(bands, "stretch", "stretches") + " between " + with_unit(from, panel.x) + " and " + with_unit(to, panel.x));
+    lines.push_back(fmt::format("shaded, {}: {} between {} and {}", kind == figure::Band::Kind::limit ? "limit broken" : "out of reach",
+                                counted(bands, "stretch", "stretches"), with_unit(from, panel.x), with_unit(to, panel.x)));
   }
 }
 

@@ -1,6 +1,12 @@
 // What a reader can do with report.html: move one time cursor through all plots against time, hide curves, sort tables. The page is whole
 // without it. Nothing moves by itself, so that there is no motion to reduce.
 
+// Units that a column may change between, each in its base.
+const scales = {
+  nm: 1e-9, "µm": 1e-6, mm: 1e-3, km: 1e3, mN: 1e-3, kN: 1e3, MN: 1e6, "mN·m": 1e-3, "kN·m": 1e3, mW: 1e-3, kW: 1e3, mJ: 1e-3, kJ: 1e3,
+  "µs": 1e-6, ms: 1e-3, min: 60, kHz: 1e3, "mm/s": 1e-3, "µm/s": 1e-6, "mm/s²": 1e-3, "µrad": 1e-6, mrad: 1e-3,
+};
+
 // "−812.4 mm", "3.1×10⁵", "2.1 × 10⁻¹⁶ m", "1.2 MB" as a number; NaN for words.
 function numberIn(text) {
   const parts = /^\s*[<>≤≥≈]?\s*([-−+]?)(\d+(?:\.\d+)?)(?:e([-−+]?\d+))?(?:\s*×\s*10([⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+))?\s*([kMG]B\b)?/.exec(text);
@@ -8,8 +14,9 @@ function numberIn(text) {
   const sign = parts[1] === "−" || parts[1] === "-" ? "-" : "";
   const raised = (parts[4] || "").replace(/[⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹]/g, (c) => "-+0123456789"["⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(c)]);
   const exponent = Number((parts[3] || "0").replace("−", "-")) + Number(raised || "0");
-  const bytes = { kB: 1e3, MB: 1e6, GB: 1e9 }[parts[5]] || 1;
-  return Number(sign + parts[2] + "e" + exponent) * bytes;
+  const unit = text.slice(parts[0].length).trim();
+  const scale = { kB: 1e3, MB: 1e6, GB: 1e9 }[parts[5]] || scales[unit] || 1;
+  return Number(sign + parts[2] + "e" + exponent) * scale;
 }
 
 // In which order rows stand when sorted by these cells: 1 ascending, -1 descending, 0 as they came. Equal ones keep their order, and cells

@@ -85,8 +85,11 @@ std::string verdict_words(const Outcome& o) {
       return "No report: it could not be written";
     case 5:
       return "No report: a limit of time or memory";
-    default:
+    case 130:
+    case 143:
       return "No report: interrupted";
+    default:
+      return "No report: it was ended from outside";
   }
 }
 

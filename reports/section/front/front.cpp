@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pmreport::section {
 
@@ -40,6 +41,16 @@ void add_faults(Report& r, const Analysis& a, const Proved& p, const std::vector
   add(range_sentences(a, p), {"displacement", "every-instant"});
   add(limit_sentences(a), {"dynamics", "drives", "reactions", "speed"});
   add(remark_sentences(a), {"mechanism", "mobility"});
+}
+
+// The first page holds a dozen faults, and the number of those beyond.
+void limit_faults(std::vector<Finding>& findings) {
+  constexpr std::ptrdiff_t most = 12;
+  const auto faults = std::ranges::count(findings, Finding::Kind::fault, &Finding::kind);
+  if (faults <= most) return;
+  findings.erase(findings.begin() + most, findings.begin() + faults);
+  findings.insert(findings.begin() + most,
+                  {Finding::Kind::fault, fmt::format("{} more in the sections.", plural(static_cast<int>(faults - most), "warning"))});
 }
 
 // What is proved of the motion, and what of it is not, but for what a fault tells.
@@ -90,15 +101,19 @@ std::vector<std::string> assumptions(const Analysis& a, const Report& r) {
     out.push_back("The load acts at the platform's reference point, in the axes of the base.");
     if (a.scenario().load.gravity.isZero()) out.push_back("No gravity is given: all bodies are weightless.");
   }
+  // Passive joints that turn; a slide is bounded by its drive, or by the joints beside it.
   int silent = 0, limited = 0;
-  for (const Joint& j : a.machine().topology().joints) {
+  const Topology& t = a.machine().topology();
+  for (std::size_t i = 0; i < t.joints.size(); ++i) {
+    const Joint& j = t.joints[i];
+    const bool driven = std::ranges::any_of(t.actuators, [&](const Actuator& x) { return x.joint == static_cast<int>(i); });
+    if (j.kind == JointKind::prismatic || driven) continue;
     const bool any = std::ranges::any_of(j.limits, [](const Range& range) { return std::isfinite(range.min) || std::isfinite(range.max); });
     ++(any ? limited : silent);
   }
   if (silent > 0 && (a.samples() > 0 || has("workspace")))
-    out.push_back(limited == 0
-                      ? "No joint declares a limit: only the actuators' strokes bound the motion."
-                      : fmt::format("{} of {} joints declare no limit of their own and are free to turn.", silent, silent + limited));
+    out.push_back(limited == 0 ? "No passive joint declares how far it turns: all turn freely."
+                               : fmt::format("{} of {} passive joints declare no limit and turn freely.", silent, silent + limited));
   return out;
 }
 
@@ -111,6 +126,7 @@ void put_front(Report& r, const Analysis& a, const Proved& p, const std::vector<
   for (Finding& f : surprises(a, r)) of_sections.push_back(std::move(f));
   r.findings.insert(r.findings.end(), of_sections.begin(), of_sections.end());
   std::ranges::stable_sort(r.findings, {}, &Finding::kind);
+  limit_faults(r.findings);
   r.key_numbers = key_numbers(a, r);
   r.summary = summary(a);
   r.assumptions = assumptions(a, r);

@@ -70,7 +70,8 @@ class Candidates {
         if (!best.what.empty() && !(std::isfinite(used) ? used > best.used || !best.limited() : !best.limited() && size > best.number))
           continue;
         const std::string word = mechanics::word_of_effort(sense), unit = mechanics::unit_of_effort(sense);
-        best = {upper_first("largest " + word + " of an actuator" + (moving ? "" : ", at rest")),
+        best = {std::isfinite(used) ? upper_first(word) + " of an actuator nearest to its limit"
+                                    : "Largest " + word + " of an actuator" + (moving ? "" : ", at rest"),
                 show(size, unit),
                 std::isfinite(limit) ? "limit " + show(limit, unit) : "",
                 symbol(x.name) + ", t = " + show_time(a_, peak.sample),
@@ -94,7 +95,7 @@ class Candidates {
       const analysis::Peak peak = analysis::peak(a_, column_of(t.actuators[i], OfActuator::power));
       const double size = std::abs(peak.value), used = size / limits[i];
       if (peak.sample < 0 || (!best.what.empty() && !(used > best.used))) continue;
-      best = {"Largest power of an actuator",
+      best = {"Power of an actuator nearest to its limit",
               show(size, "W"),
               "limit " + show(limits[i], "W"),
               symbol(t.actuators[i].name) + ", t = " + show_time(a_, peak.sample),
@@ -107,23 +108,30 @@ class Candidates {
     if (!best.what.empty()) out_.push_back(best);
   }
 
-  void add_moments() {
+  // Of [limits] the one that is used most; else the largest.
+  void add_joint_forces() {
     if (a_.samples() == 0 || !has("reactions")) return;
     KeyNumber best;
-    for (const Joint& j : a_.machine().topology().joints) {
-      const ColumnId column = column_of(j, OfJoint::force);
+    const std::vector<Joint>& joints = a_.machine().topology().joints;
+    const std::vector<double>& limits = a_.scenario().limits.joint_force;
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      const ColumnId column = column_of(joints[j], OfJoint::force);
       if (!a_.has(column)) continue;
       const analysis::Peak peak = analysis::peak(a_, column);
-      if (peak.sample >= 0 && (best.what.empty() || std::abs(peak.value) > best.number))
-        best = {"Largest force in a joint",
-                show(std::abs(peak.value), "N"),
-                "",
-                "joint " + j.name + ", t = " + show_time(a_, peak.sample),
-                "reactions",
-                nan,
-                std::abs(peak.value),
-                nan,
-                "N"};
+      if (peak.sample < 0) continue;
+      const double size = std::abs(peak.value), limit = j < limits.size() && std::isfinite(limits[j]) ? limits[j] : nan,
+                   used = size / limit;
+      if (!best.what.empty() && !(std::isfinite(used) ? used > best.used || !best.limited() : !best.limited() && size > best.number))
+        continue;
+      best = {std::isfinite(used) ? "Force in a joint nearest to its limit" : "Largest force in a joint",
+              show(size, "N"),
+              std::isfinite(limit) ? "limit " + show(limit, "N") : "",
+              "joint " + joints[j].name + ", t = " + show_time(a_, peak.sample),
+              "reactions",
+              used,
+              size,
+              limit,
+              "N"};
     }
     if (!best.what.empty()) out_.push_back(best);
   }
@@ -132,16 +140,17 @@ class Candidates {
     const double least = value("transmission", "least_local");
     if (!std::isfinite(least)) return;
     const ColumnId column = column_of(OfMachine::local_transmission);
+    // What is called good is no limit.
     KeyNumber k{"Least local transmission index",
                 number(least, 3),
-                number(good, 2) + " is called good",
+                number(analysis::good_transmission, 2) + " is called good",
                 "",
                 "transmission",
-                good / least,
+                nan,
                 least,
-                good,
+                nan,
                 ""};
-    if (a_.has(column)) k.where = at_least(column);
+    if (a_.has(column)) k.where = where_least(column);
     out_.push_back(k);
   }
 
@@ -153,7 +162,7 @@ class Candidates {
         "Largest condition number", std::isfinite(condition) ? number(condition, 3) : "∞", "", "", "singularity", nan, condition, nan, ""};
     if (a_.samples() > 0 && a_.has(column)) {
       const analysis::Peak peak = analysis::peak(a_, column);
-      if (peak.sample >= 0) k.where = "t = " + show_time(a_, peak.sample);
+      if (peak.sample >= 0 && std::abs(peak.value) == condition) k.where = "t = " + show_time(a_, peak.sample);
     }
     out_.push_back(k);
   }
@@ -161,7 +170,8 @@ class Candidates {
   void add_speed() {
     const double scale = value("speed", "scale");
     if (!std::isfinite(scale) || !(scale > 0)) return;
-    out_.push_back({"Feasible speed, of that written", number(scale, 3) + " times", "1 at least", "", "speed", 1 / scale, scale, 1, ""});
+    out_.push_back({"Feasible speed, of that written", number(scale, 3) + " times", "1 at least", "", "speed",
+                    scale > 1 - 1e-9 ? std::min(1.0, 1 / scale) : 1 / scale, scale, 1, ""});
   }
 
   void add_stiffness() {
@@ -209,7 +219,6 @@ class Candidates {
   }
 
  private:
-  static constexpr double good = analysis::good_transmission;
   struct Used {
     double share, value, middle, end;
     int sample;
@@ -230,7 +239,7 @@ class Candidates {
     const document::Value* v = found(section, name);
     return v != nullptr ? v->value : nan;
   }
-  std::string at_least(const ColumnId& column) const {
+  std::string where_least(const ColumnId& column) const {
     const std::vector<double>& x = a_.column(column);
     int best = -1;
     for (int k = 0; k < static_cast<int>(x.size()); ++k)
@@ -243,7 +252,9 @@ class Candidates {
   void look(std::optional<Used>& best, const ColumnId& column, const Range& range, const Joint* joint, const std::string& whose,
             const std::string& unit) const {
     const bool from_zero = joint != nullptr && joint->kind == JointKind::spherical;
-    if (!std::isfinite(range.max) || (!from_zero && !std::isfinite(range.min)) || !(range.max > range.min) || !a_.has(column)) return;
+    if (!a_.has(column)) return;
+    if (!from_zero && std::isfinite(range.min) != std::isfinite(range.max)) return look_beyond(best, column, range, whose, unit);
+    if (!std::isfinite(range.max) || !(range.max > range.min)) return;
     const double middle = from_zero ? 0 : 0.5 * (range.min + range.max), half = range.max - middle;
     const std::vector<double>& x = a_.column(column);
     for (int k = 0; k < static_cast<int>(x.size()); ++k) {
@@ -252,12 +263,26 @@ class Candidates {
       best = Used{share, v, middle, v < middle ? range.min : range.max, k, whose, unit, range};
     }
   }
+  // With one end alone nothing tells how near to it is near, but beyond it is beyond.
+  void look_beyond(std::optional<Used>& best, const ColumnId& column, const Range& range, const std::string& whose,
+                   const std::string& unit) const {
+    const bool upper = std::isfinite(range.max);
+    const double end = upper ? range.max : range.min;
+    const std::vector<double>& x = a_.column(column);
+    for (int k = 0; k < static_cast<int>(x.size()); ++k) {
+      const double v = x[static_cast<std::size_t>(k)], excess = upper ? v - end : end - v;
+      const double share = 1 + excess / std::max(std::abs(end), std::abs(v));
+      if (excess > 1e-12 * std::max(1.0, std::abs(end)) && share > (best ? best->share : -1))
+        best = Used{share, v, end, end, k, whose, unit, range};
+    }
+  }
   void put(const std::optional<Used>& u, const char* what, const char* range) {
     if (!u) return;
     const Apart apart = show_apart(u->value, u->end, u->unit);
     // A limit that is met exactly is kept.
     const double share = u->share > 1 && u->share < 1 + 1e-12 ? 1 : u->share;
-    const bool two = std::isfinite(u->range.min) && u->range.max - u->range.min > (u->range.max - u->middle) * 1.5;
+    const bool two =
+        std::isfinite(u->range.min) && std::isfinite(u->range.max) && u->range.max - u->range.min > (u->range.max - u->middle) * 1.5;
     const std::string limit =
         two ? fmt::format("{} {} to {}", range, show(u->range.min, u->unit), show(u->range.max, u->unit)) : "limit " + apart.beside;
     out_.push_back(
@@ -269,16 +294,16 @@ class Candidates {
   std::vector<KeyNumber> out_;
 };
 
-// A check of the scenario that bounds the same number from above, or from below.
+// A check of the scenario that bounds the same number from one side. Only where number and bound are positive is their ratio the share of a
+// limit; and it never says what the check does not.
 void take_limit_of_a_check(KeyNumber& k, const document::Report& r) {
   for (const document::Check& c : r.checks) {
-    const double size = std::abs(c.value);
-    if (k.limited() || c.line <= 0 || c.unit != k.unit || !std::isfinite(c.bound) || !(std::abs(c.bound) > 0)) continue;
-    if (!(std::abs(size - std::abs(k.number)) <= 1e-12 * size)) continue;
-    const bool below = c.limit.starts_with("<") || c.limit.starts_with("≤"), above = c.limit.starts_with(">") || c.limit.starts_with("≥");
-    if (!(below || above) || !(size > 0)) continue;
-    k.used = below ? size / std::abs(c.bound) : std::abs(c.bound) / size;
-    k.bound = c.bound, k.limit = "checked: " + c.limit;
+    if (k.limited() || c.line <= 0 || c.unit != k.unit || !(c.value > 0) || !(c.bound > 0)) continue;
+    if (!(std::abs(c.value - k.number) <= 1e-12 * c.value) || c.limit.find(',') != std::string::npos) continue;
+    const bool below = c.limit.starts_with("< "), above = c.limit.starts_with("> ");
+    const double used = below ? c.value / c.bound : c.bound / c.value;
+    if (!(below || above) || (used > 1) == c.passed) continue;
+    k.used = used, k.bound = c.bound, k.limit = "checked: " + c.limit;
   }
 }
 
@@ -295,7 +320,7 @@ std::vector<KeyNumber> key_numbers(const Analysis& a, const document::Report& r)
   candidates.add_speed();
   candidates.add_comparison();
   candidates.add_volumes();
-  candidates.add_moments();
+  candidates.add_joint_forces();
   std::vector<KeyNumber> out = std::move(candidates).take();
   for (KeyNumber& k : out) take_limit_of_a_check(k, r);
   const auto class_of = [](const KeyNumber& k) { return k.broken() ? 0 : k.limited() && k.used >= nearly_used ? 1 : k.limited() ? 2 : 3; };

@@ -17,6 +17,7 @@ using document::Finding;
 namespace {
 
 constexpr double out_of_proportion = 5;  // a force of an actuator over the load that asks for it
+constexpr double of_the_peak = 0.01;     // a smaller load is none
 constexpr double near_by = 0.1;          // of the characteristic length: another assembly
 
 bool has(const document::Report& r, std::string_view kind) {
@@ -32,14 +33,15 @@ void add_disproportion(const Analysis& a, const document::Report& r, std::vector
     const std::vector<Eigen::Vector3d>& other = sense == Sense::linear ? a.scenario().load.moment : a.scenario().load.force;
     const Actuator* whose = nullptr;
     int at = -1;
-    double worst = 0;
+    double worst = 0, largest = 0;
+    for (const Eigen::Vector3d& l : load) largest = std::max(largest, l.norm());
     for (const Actuator& x : a.machine().topology().actuators) {
       const ColumnId column = column_of(x, OfActuator::load_force);
       if (x.sense() != sense || !a.has(column)) continue;
       for (int k = 0; k < a.samples(); ++k) {
         const auto i = static_cast<std::size_t>(k);
         const double size = load[i].norm(), asked = std::abs(a.column(column)[i]);
-        if (size > 0 && other[i].norm() == 0 && asked / size > worst) worst = asked / size, whose = &x, at = k;
+        if (size > of_the_peak * largest && other[i].norm() == 0 && asked / size > worst) worst = asked / size, whose = &x, at = k;
       }
     }
     if (whose == nullptr || worst < out_of_proportion) continue;
@@ -96,12 +98,10 @@ void add_assemblies(const Analysis& a, const document::Report& r, std::vector<Fi
       if (v.section == "assembly" && v.name == name) return v.value;
     return std::nan("");
   };
-  const double modes = value("modes"), nearest = value("nearest");
-  if (!(modes > 1) || !(nearest < near_by * a.length())) return;
-  out.push_back(
-      {Finding::Kind::surprise,
-       fmt::format("The same actuator values fit {:.0f} poses, and the nearest other one is only {} away.", modes, show(nearest, "m", 3)),
-       "assembly"});
+  const double nearest = value("nearest");
+  if (!(nearest < near_by * a.length())) return;
+  out.push_back({Finding::Kind::surprise,
+                 fmt::format("Another pose with the same actuator values is as near as {}.", show(nearest, "m", 3)), "assembly"});
 }
 
 }  // namespace

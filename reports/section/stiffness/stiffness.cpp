@@ -230,7 +230,7 @@ Result stiffness_section(const Analysis& a, const StiffnessRequest& request, con
     tell("Nothing gives way: the mechanism declares no elastic element, or all are taken as rigid. Its compliance is zero.",
          Paragraph::Tone::warning);
     out.findings.push_back(
-        {document::Finding::Kind::fault,
+        {document::Finding::Kind::surprise,
          "No elastic element: stiffness was not examined. Add [[element]], beam = [\"A1\", \"B1\"], diameter and material."});
     s.blocks.emplace_back(
         document::Proof{{document::Evidence::not_examined("Elasticity", "force method on the joint reactions", "no element gives way")}});

@@ -10,6 +10,8 @@ test("numbers are read as the report writes them", () => {
     "1.2 MB": 1.2e6, "300 kB": 3e5, "12 B": 12, "1, 2, 3": 1, " 4": 4,
   };
   for (const [text, value] of Object.entries(cases)) assert.equal(numberIn(text), value, text);
+  for (const [less, more] of [["400 N", "12 kN"], ["500 nm", "3 mm"], ["900 mm", "1.2 m"], ["20 ms", "1 s"]])
+    assert.ok(numberIn(less) < numberIn(more), less + " < " + more);
   for (const text of ["", "–", "passed", "l₁", "✓ passed"]) assert.ok(Number.isNaN(numberIn(text)), text);
 });
 
