@@ -81,18 +81,28 @@ std::string counted(const Tally& tally, std::initializer_list<Verdict> which) {
 
 std::vector<std::string> unexamined(const Report& r) {
   constexpr std::size_t most = 5;
-  std::vector<std::string> out;
+  // Claims of one section that share a reason share a line.
+  struct Line {
+    std::string section, why;
+    std::vector<std::string> claims;
+  };
+  std::vector<Line> lines;
   for (const Section& s : r.sections)
     for (const Block& block : s.blocks)
       if (const auto* proof = std::get_if<Proof>(&block))
-        for (const Evidence& e : proof->lines)
-          if (e.verdict() == Verdict::not_examined || e.verdict() == Verdict::not_decided)
-            out.push_back(s.title + ": " + e.claim + " (" + word_of(e.verdict()) + (e.reason.empty() ? "" : ": " + e.reason) + ").");
-  if (out.size() > most) {
-    const std::size_t more = out.size() - most;
-    out.resize(most);
-    out.push_back(std::to_string(more) + " more in the sections.");
+        for (const Evidence& e : proof->lines) {
+          if (e.verdict() != Verdict::not_examined && e.verdict() != Verdict::not_decided) continue;
+          const std::string why = word_of(e.verdict()) + (e.reason.empty() ? "" : ": " + e.reason);
+          const auto same = std::ranges::find_if(lines, [&](const Line& l) { return l.section == s.title && l.why == why; });
+          (same != lines.end() ? *same : lines.emplace_back(Line{s.title, why, {}})).claims.push_back(e.claim);
+        }
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < std::min(lines.size(), most); ++i) {
+    std::string claims;
+    for (const std::string& c : lines[i].claims) claims += (claims.empty() ? "" : "; ") + c;
+    out.push_back(lines[i].section + ": " + claims + " (" + lines[i].why + ").");
   }
+  if (lines.size() > most) out.push_back(std::to_string(lines.size() - most) + " more in the sections.");
   if (r.not_asked.empty()) return out;
   out.push_back("Not asked of this report: " + listed(r.not_asked, "and") + ".");
   return out;
@@ -109,6 +119,11 @@ std::vector<Failure> failures_of(const Report& r) {
           if (e.failed() && !told_by_a_check(r, e))
             out.push_back({s.title + ": " + e.claim, number_shown(e, e.value), number_shown(e, e.tolerance), how_it_is_shown(e), s.id});
   return out;
+}
+
+bool told_by_a_failure(const Report& r, const Finding& f) {
+  return std::ranges::any_of(
+      r.checks, [&](const Check& c) { return !c.passed && !c.message.empty() && f.text.find(c.message) != std::string::npos; });
 }
 
 bool told_by_a_check(const Report& r, const Evidence& line) {

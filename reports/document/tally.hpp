@@ -36,6 +36,9 @@ struct Failure {
 };
 std::vector<Failure> failures_of(const Report& r);
 
+// Of a finding, whether a check that fails says the same on the same page.
+bool told_by_a_failure(const Report& r, const Finding& f);
+
 // Of a line of evidence that fails, whether a check of the report fails with it that demands the same.
 bool told_by_a_check(const Report& r, const Evidence& line);
 

@@ -14,8 +14,8 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <string_view>
 #include <optional>
+#include <string_view>
 
 namespace pmreport::program {
 

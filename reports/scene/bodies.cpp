@@ -164,6 +164,7 @@ void add_bodies(Scene& scene, const Machine& m, const Pose& pose, const Sizes& s
   const Topology& t = m.topology();
   for (int body = 0; body < static_cast<int>(t.bodies.size()); ++body) {
     const bool base = body == 0, platform = body == t.platform;
+    const std::size_t first = scene.solids.size();
     if (has_shapes(t, body))
       add_shapes(scene, m, pose, body, base ? palette::base : platform ? palette::platform : limb_color(t, body));
     else if (base || platform)
@@ -171,6 +172,7 @@ void add_bodies(Scene& scene, const Machine& m, const Pose& pose, const Sizes& s
                 base ? palette::base : palette::platform);
     else if (!add_telescope(scene, m, pose, sizes, body))
       add_links(scene, m, pose, sizes, body);
+    for (std::size_t k = first; k < scene.solids.size(); ++k) scene.solids[k].body = body;
   }
 }
 

@@ -22,6 +22,7 @@ struct Solid {
   std::vector<Eigen::Vector3d> outline;                // of a plate: convex polygon at mid-thickness, `radius` its thickness
   Color color;
   float through = 0;  // opacity of what other solids hide of it: 0 not seen, 1 as if nothing were in front
+  int body = 0;       // that carries it; of what belongs to none, as arrows and frames, without meaning
 };
 
 std::array<Eigen::Vector3d, 8> corners(const Solid& box);  // neighbours differ by one bit of the index

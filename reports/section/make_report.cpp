@@ -6,6 +6,7 @@
 #include <reports/section/common/stage.hpp>
 #include <reports/section/every_instant/every_instant.hpp>
 #include <reports/section/front/front.hpp>
+#include <reports/section/front/model_file.hpp>
 #include <reports/section/kinds.hpp>
 #include <reports/section/make_report.hpp>
 #include <reports/section/overview.hpp>
@@ -110,6 +111,7 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
     r.every_instant = every_instant_results(a, p);
   }
   put_front(r, a, p, unseen, std::move(found));
+  if (s.needs().pictures) r.files.push_back(model_file(a));
   if (cover) r.cover = cover->wait();
   return r;
 }

@@ -17,7 +17,8 @@ std::size_t lines(const std::string& text) { return static_cast<std::size_t>(std
 Report failing(std::size_t checks) {
   Report r = sample::report();
   for (std::size_t i = 0; i < checks; ++i)
-    r.checks.push_back({"force " + std::to_string(i), "500 N", "< 400 N", 500, 400, "N", false, "t = 1 s: too much", static_cast<int>(i) + 7});
+    r.checks.push_back(
+        {"force " + std::to_string(i), "500 N", "< 400 N", 500, 400, "N", false, "t = 1 s: too much", static_cast<int>(i) + 7});
   return r;
 }
 

@@ -48,6 +48,15 @@ TEST_CASE("the stroke used most is the one nearest to an end, with its share of 
   CHECK_FALSE(k->broken());
 }
 
+TEST_CASE("between its samples a stroke is used most where it is proved to be") {
+  // y swings once between two samples: its largest, 900 mm, is at none of them.
+  const auto r = of_legs("x = \"150 mm\"\ny = \"700 mm + 200 mm * sin(2*pi*(t - 0.3 s)/1.3 s)\"\n" + asked({"displacement"}));
+  const document::KeyNumber* k = key(r, "Stroke used most");
+  REQUIRE(k);
+  CHECK(k->number == Approx(std::hypot(0.15, 0.9)).epsilon(1e-6));
+  CHECK_THAT(k->where, Contains("t = 0.625 s"));
+}
+
 TEST_CASE("a stroke that is left comes first among the key numbers, and a fault first among the findings") {
   const auto r = of_legs("x = \"150 mm\"\ny = \"500 mm + 600 mm * t / 1 s\"\n" + asked({"displacement", "singularity"}));
   REQUIRE_FALSE(r.key_numbers.empty());
@@ -148,7 +157,7 @@ TEST_CASE("assumptions are those that this run rests on, and what was not asked 
   CHECK(has(moved.assumptions, "Bodies are rigid"));
   CHECK_FALSE(has(moved.assumptions, "weightless"));
   CHECK(has(moved.not_asked, "dynamics"));
-  const auto forced = of_gantry(asking_for({"dynamics"}));
+  const auto forced = of_gantry("[load]\nforce = [\"7 N\", \"0 N\", \"0 N\"]\n" + asking_for({"dynamics"}));
   CHECK(has(forced.assumptions, "weightless"));
   CHECK(has(forced.assumptions, "reference point"));
   CHECK_FALSE(has(forced.not_asked, "dynamics"));

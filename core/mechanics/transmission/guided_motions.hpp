@@ -12,8 +12,9 @@
 // has no division by s, as scaled_inverse.hpp has none: where A is singular u_i points to what the inverse's column grew towards. (2) holds
 // for all regular R and S; only the length of u_i depends on them.
 //
-// That they are regular is proved, not hoped: a matrix X is where some Y has ||X Y - I|| < 1. 1/2 leaves more room than the product loses in
-// doubles: with complete pivoting no entry of L is above 1, so that |X| |Y| is below 2^5 6, and six terms of it lose less than 1e-12. Where it cannot be shown both are the unit matrix.
+// That they are regular is proved, not hoped: a matrix X is where some Y has ||X Y - I|| < 1. 1/2 leaves more room than the product loses
+// in doubles: with complete pivoting no entry of L is above 1, so that |X| |Y| is below 2^5 6, and six terms of it lose less than 1e-12.
+// Where it cannot be shown both are the unit matrix.
 #pragma once
 
 #include <core/linear/types.hpp>

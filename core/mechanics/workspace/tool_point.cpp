@@ -77,7 +77,7 @@ std::vector<double> ToolPoint::by_tool(std::span<const double> machine_pose) con
 ToolPoint::Judge ToolPoint::of_tool(Judge of_machine) const {
   if (!of_machine) return of_machine;
   return [batches = std::make_shared<program::Batches>(to_machine_), judge = std::move(of_machine)](std::size_t count, const double* poses,
-                                                                                                     double* out) {
+                                                                                                    double* out) {
     std::vector<double> moved(batches->program().outputs().size() * count);
     batches->run(count, poses, moved.data());
     judge(count, moved.data(), out);

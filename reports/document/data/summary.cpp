@@ -49,7 +49,8 @@ std::string plain(const std::string& text) {
 
 std::string states(const Tally& t, const char* none) {
   if (t.total() == 0) return none;
-  return counted(t, {Verdict::passed, Verdict::failed, Verdict::error, Verdict::not_decided, Verdict::not_examined, Verdict::not_applicable});
+  return counted(t,
+                 {Verdict::passed, Verdict::failed, Verdict::error, Verdict::not_decided, Verdict::not_examined, Verdict::not_applicable});
 }
 
 std::string left_out(std::size_t all) { return all > most_listed ? fmt::format("\n{} more in the report\\.\n", all - most_listed) : ""; }

@@ -123,11 +123,13 @@ void write_key_numbers(Page& page) {
 }
 
 void write_findings(Page& page) {
-  if (page.report.findings.empty()) return;
+  const auto told = [&](const Finding& f) { return told_by_a_failure(page.report, f); };
+  if (std::ranges::all_of(page.report.findings, told)) return;
   HtmlWriter& html = page.html;
   html.element("h3", "Findings");
   html.element("ol", {{"class", "findings"}}, [&] {
-    for (const Finding& f : page.report.findings)
+    for (const Finding& f : page.report.findings) {
+      if (told(f)) continue;
       html.element("li", {{"class", std::string("finding ") + name_of(f.kind) + "-found"}}, [&] {
         if (f.kind == Finding::Kind::fault) {
           html.element("strong", "⚠ Warning.");
@@ -141,6 +143,7 @@ void write_findings(Page& page) {
               break;
             }
       });
+    }
   });
 }
 

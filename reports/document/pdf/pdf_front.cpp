@@ -255,8 +255,10 @@ void put_title(Composer& c, const std::vector<Entry>& sections, const Entry& che
   put_verdict(c);
   put_failures(c, sections, checks);
   put_key_numbers(c, sections);
-  if (!r.findings.empty()) put_subheading(c, "Findings");
-  for (const Finding& f : r.findings) put_finding(c, sections, f);
+  const auto told = [&](const Finding& f) { return told_by_a_failure(r, f); };
+  if (!std::ranges::all_of(r.findings, told)) put_subheading(c, "Findings");
+  for (const Finding& f : r.findings)
+    if (!told(f)) put_finding(c, sections, f);
   put_not_examined(c);
   if (!r.summary.empty()) put_subheading(c, "What was asked");
   for (const Paragraph& p : r.summary) put_paragraph(c, p);

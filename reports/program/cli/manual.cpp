@@ -58,10 +58,13 @@ std::string lines_of(const SpokenCommand& c) {
 
 const std::pair<int, const char*> statuses[] = {
     {all_well, "all well"},
-    {gate_failed, "the report is written, and a check or a line of evidence failed or is an error, or it differs from its baseline; of check, a property failed; of compare, the reports differ; of approve, the report did not pass"},
+    {gate_failed,
+     "the report is written, and a check or a line of evidence failed or is an error, or it differs from its baseline; of check, a "
+     "property failed; of compare, the reports differ; of approve, the report did not pass"},
     {bad_scenario, "the command line or the scenario is wrong, or what is compared is no report; nothing was written"},
     {plugin_failed, "a plugin failed or crashed, or there is none"},
-    {output_failed, "the report, the page of a comparison, a baseline or standard output could not be written; an earlier report is untouched"},
+    {output_failed,
+     "the report, the page of a comparison, a baseline or standard output could not be written; an earlier report is untouched"},
     {resource_limit, "the time of --timeout is over, memory or another resource does not suffice, or a scan is too large to be done"},
     {130, "interrupted by SIGINT; an earlier report is untouched"},
     {143, "interrupted by SIGTERM; an earlier report is untouched"}};

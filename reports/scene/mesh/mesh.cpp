@@ -163,11 +163,12 @@ class Mesher {
   void box(const Solid& s) {
     if (!(s.b.array() > 0).all()) return;
     const Vector3d x = s.b.x() * s.axes.col(0), y = s.b.y() * s.axes.col(1);
-    plate({s.a - x - y, s.a + x - y, s.a + x + y, s.a - x + y}, 2 * s.b.z());
+    plate({s.a - x - y, s.a + x - y, s.a + x + y, s.a - x + y}, 2 * s.b.z(), 2 * std::min(s.b.x(), s.b.y()));
   }
 
-  // A convex polygon of nonzero area, with its corners rounded where they are sharp, given thickness.
-  void plate(const std::vector<Vector3d>& outline, double thickness) {
+  // A convex polygon of nonzero area, with its corners rounded where they are sharp, given thickness. `width`: of a slim one, whose bevels
+  // must not meet.
+  void plate(const std::vector<Vector3d>& outline, double thickness, double width = std::numeric_limits<double>::infinity()) {
     if (outline.size() < 3 || !(thickness > 0)) return;
     Vector3d area = Vector3d::Zero(), middle = Vector3d::Zero();
     for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -178,7 +179,7 @@ class Mesher {
     const Vector3d up = area.normalized(), u = up.unitOrthogonal(), v = up.cross(u);
     std::vector<Vector2d> flat;
     for (const Vector3d& p : outline) flat.emplace_back(u.dot(p - middle), v.dot(p - middle));
-    const double c = bevel(thickness), half = thickness / 2;
+    const double c = std::min(bevel(thickness), width / 5), half = thickness / 2;
     const auto [rim, normals] = rounded(flat, 1.5 * c);
     const auto ring = [&](double inset, double height, bool flat_normal) {
       const auto start = static_cast<std::uint32_t>(mesh_.vertices.size());

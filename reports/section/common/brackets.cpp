@@ -85,11 +85,8 @@ std::string show_volume(double si, const std::string& unit, int digits) {
 }
 
 std::string show_bracket(const Bounds& b, const std::string& unit) {
-  // As many digits as set the two ends apart, and one more.
-  int digits = 4;
-  while (digits < 15 && format_number(b.low, digits) == format_number(b.high, digits)) ++digits;
-  return fmt::format("{} to {} {}", typeset(format_number(b.low, digits + 1)), typeset(format_number(b.high, digits + 1)),
-                     typographic(unit));
+  const Ends ends = ends_of(b, 1);
+  return (ends.low == ends.high ? ends.low : ends.low + " to " + ends.high) + " " + typographic(unit);
 }
 
 }  // namespace pmreport::section

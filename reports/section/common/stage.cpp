@@ -75,8 +75,10 @@ Stage::Ordered Stage::cover() const {
   scene::Extras extras;
   extras.labels = extras.frames = false;
   extras.path = path_;
+  const bool moves =
+      std::ranges::any_of(path_, [&](const Eigen::Vector3d& p) { return (p - path_.front()).norm() > 1e-9 * analysis_.length(); });
   return picture(analysis_.machine(), analysis_.machine().home_pose(), extras, bounds_, isometric, "cover",
-                 path_.size() > 1 ? "At home, with the path of the platform" : "At home", quality);
+                 moves ? "At home, with the path of the platform" : "At home", quality);
 }
 
 Stage::Ordered Stage::picture(const mechanics::Machine& machine, const mechanics::Pose& pose, const scene::Extras& extras,

@@ -62,6 +62,19 @@ void add_proof(Report& r, const Proved& p) {
     r.findings.push_back({all ? Finding::Kind::result : Finding::Kind::surprise, std::move(sentence), section_of(r, {"every-instant"})});
 }
 
+// What is told of a motion that ends before it was to.
+void tell_ending(Report& r, const Analysis& a) {
+  const scenario::MotionRequest& motion = *a.scenario().motion;
+  const std::string& ending = a.trajectory().ending;
+  if (motion.until_singularity && !ending.empty() && a.trajectory().reaches(a.samples() - 1))
+    r.findings.push_back(
+        {Finding::Kind::surprise,
+         fmt::format("The motion lasts to t = {}, not to the {} asked for, as the scenario allows: it {}. All that is told "
+                     "and checked is of this part.",
+                     show_time(a, a.samples() - 1), show(motion.end, "s"), ending),
+         section_of(r, {"singularity", "every-instant"})});
+}
+
 std::string joined(std::string lines) {
   for (std::size_t at = 0; (at = lines.find('\n', at)) != std::string::npos;) lines.replace(at, 1, at + 1 < lines.size() ? "; " : "");
   return lines;
@@ -75,10 +88,6 @@ std::vector<Paragraph> summary(const Analysis& a) {
     return out;
   }
   const scenario::MotionRequest& motion = *a.scenario().motion;
-  const std::string& ending = a.trajectory().ending;
-  if (motion.until_singularity && !ending.empty() && a.trajectory().reaches(a.samples() - 1))
-    out.push_back({Paragraph::Tone::note, fmt::format("The motion lasts to t = {}, not to the {} asked for, as the scenario allows: it {}.",
-                                                      show_time(a, a.samples() - 1), show(motion.end, "s"), ending)});
   for (const std::string& s : acceleration_sentences(a)) out.push_back({Paragraph::Tone::note, s});
   tell(fmt::format("{} over {}, {} degrees of freedom.", plural(a.samples(), "sample"), show_time(a, a.samples() - 1), a.machine().dof()));
   tell(fmt::format("Motion: {}.", joined(motion.description)));
@@ -98,7 +107,11 @@ std::vector<std::string> assumptions(const Analysis& a, const Report& r) {
     out.push_back(has("drives") ? "Joints have neither clearance nor friction; what the drives lose is as [drive] says."
                                 : "Joints have neither clearance nor friction, and drives none.");
   if (forces) {
-    out.push_back("The load acts at the platform's reference point, in the axes of the base.");
+    const auto any = [](const std::vector<Eigen::Vector3d>& all) {
+      return std::ranges::any_of(all, [](const auto& v) { return !v.isZero(0); });
+    };
+    if (any(a.scenario().load.force) || any(a.scenario().load.moment))
+      out.push_back("The load acts at the platform's reference point, in the axes of the base.");
     if (a.scenario().load.gravity.isZero()) out.push_back("No gravity is given: all bodies are weightless.");
   }
   // Passive joints that turn; a slide is bounded by its drive, or by the joints beside it.
@@ -122,7 +135,10 @@ std::vector<std::string> assumptions(const Analysis& a, const Report& r) {
 void put_front(Report& r, const Analysis& a, const Proved& p, const std::vector<analysis::Unseen>& unseen,
                std::vector<Finding> of_sections) {
   add_faults(r, a, p, unseen);
-  if (a.scenario().motion) add_proof(r, p);
+  if (a.scenario().motion) {
+    tell_ending(r, a);
+    add_proof(r, p);
+  }
   for (Finding& f : surprises(a, r)) of_sections.push_back(std::move(f));
   r.findings.insert(r.findings.end(), of_sections.begin(), of_sections.end());
   std::ranges::stable_sort(r.findings, {}, &Finding::kind);

@@ -81,8 +81,33 @@ class Candidates {
                 limit,
                 unit};
       }
-      if (!best.what.empty()) out_.push_back(best);
+      if (best.number > 0) out_.push_back(best);  // else nothing loads the machine
     }
+  }
+
+  void add_speeds() {
+    if (a_.samples() == 0) return;
+    KeyNumber best;
+    const Topology& t = a_.machine().topology();
+    const std::vector<double>& limits = a_.scenario().limits.speed;
+    for (std::size_t i = 0; i < t.actuators.size() && i < limits.size(); ++i) {
+      const ColumnId column = column_of(t.actuators[i], OfMotion::rate);
+      if (!std::isfinite(limits[i]) || !a_.has(column)) continue;
+      const analysis::Peak peak = analysis::peak(a_, column);
+      const double size = std::abs(peak.value), used = size / limits[i];
+      if (peak.sample < 0 || (!best.what.empty() && !(used > best.used))) continue;
+      const std::string unit = t.actuators[i].unit + "/s";
+      best = {"Speed of an actuator nearest to its limit",
+              show(size, unit),
+              "limit " + show(limits[i], unit),
+              symbol(t.actuators[i].name) + ", t = " + show_time(a_, peak.sample),
+              has("velocity") ? "velocity" : "dynamics",
+              used,
+              size,
+              limits[i],
+              unit};
+    }
+    if (!best.what.empty()) out_.push_back(best);
   }
 
   void add_power() {
@@ -157,9 +182,10 @@ class Candidates {
   void add_singularity() {
     const double condition = value("singularity", "largest_condition");
     if (std::isnan(condition)) return;
+    constexpr double of_rounding = 1e12;  // beyond it nothing but rounding tells the matrix from a singular one
     const ColumnId column = column_of(OfMachine::condition);
     KeyNumber k{
-        "Largest condition number", std::isfinite(condition) ? number(condition, 3) : "∞", "", "", "singularity", nan, condition, nan, ""};
+        "Largest condition number", condition < of_rounding ? number(condition, 3) : "∞", "", "", "singularity", nan, condition, nan, ""};
     if (a_.samples() > 0 && a_.has(column)) {
       const analysis::Peak peak = analysis::peak(a_, column);
       if (peak.sample >= 0 && std::abs(peak.value) == condition) k.where = "t = " + show_time(a_, peak.sample);
@@ -197,7 +223,7 @@ class Candidates {
       const document::Value* volume = found("workspace", point + "volume");
       if (volume == nullptr) continue;
       const double low = value("workspace", point + "volume_low"), high = value("workspace", point + "volume_high");
-      KeyNumber k{point.empty() ? "Volume of the workspace" : "Workspace " + point.substr(0, point.size() - 1),
+      KeyNumber k{point.empty() ? "Volume of the workspace" : "Volume of workspace " + point.substr(0, point.size() - 1),
                   std::isfinite(low) && std::isfinite(high) && high > low ? show_bracket({low, high}, volume->unit)
                                                                           : show_volume(volume->value, volume->unit),
                   "",
@@ -211,6 +237,11 @@ class Candidates {
     }
   }
 
+  void add_freedoms() {
+    if (const double n = value("mobility", "freedoms"); std::isfinite(n))
+      out_.push_back({"Degrees of freedom", fmt::format("{:.0f}", n), "", "by rank, at home", "mobility", nan, n, nan, ""});
+  }
+
   void add_comparison() {
     const double published = value("comparison", "published"), good_ones = value("comparison", "reproduced");
     if (!(published > 0)) return;
@@ -220,10 +251,10 @@ class Candidates {
 
  private:
   struct Used {
-    double share, value, middle, end;
-    int sample;
+    double share, value, end, time;
     std::string whose, unit;
     Range range;
+    bool one_end;
   };
 
   static std::string number(double x, int digits) { return typeset(format_number(x, digits)); }
@@ -248,20 +279,30 @@ class Candidates {
     return best < 0 ? "" : "t = " + show_time(a_, best);
   }
 
-  // A deflection counts from zero, which is no limit; of any other motion both ends are, and the middle is farthest from them.
+  // How much of the way to an end is used: a stroke from its middle, a joint from where its motion counts from. A deflection has no lower
+  // end.
   void look(std::optional<Used>& best, const ColumnId& column, const Range& range, const Joint* joint, const std::string& whose,
             const std::string& unit) const {
     const bool from_zero = joint != nullptr && joint->kind == JointKind::spherical;
     if (!a_.has(column)) return;
     if (!from_zero && std::isfinite(range.min) != std::isfinite(range.max)) return look_beyond(best, column, range, whose, unit);
     if (!std::isfinite(range.max) || !(range.max > range.min)) return;
-    const double middle = from_zero ? 0 : 0.5 * (range.min + range.max), half = range.max - middle;
-    const std::vector<double>& x = a_.column(column);
-    for (int k = 0; k < static_cast<int>(x.size()); ++k) {
-      const double v = x[static_cast<std::size_t>(k)], share = std::abs(v - middle) / half;
-      if (!(share > (best ? best->share : -1))) continue;
-      best = Used{share, v, middle, v < middle ? range.min : range.max, k, whose, unit, range};
+    const bool from_home = joint != nullptr && range.min < 0 && 0 < range.max;
+    const double origin = from_zero || from_home ? 0 : 0.5 * (range.min + range.max);
+    const auto see = [&](double v, double t) {
+      const double end = v < origin && !from_zero ? range.min : range.max, share = std::abs((v - origin) / (end - origin));
+      if (share > (best ? best->share : -1)) best = Used{share, share < 1e-9 ? origin : v, end, t, whose, unit, range, from_zero};
+    };
+    // Over all instants where that is proved, what is certain at one; else at the samples.
+    if (const analysis::Extreme* e = a_.proof().extreme(column);
+        e != nullptr && a_.proof().unexamined.empty() && e->least.bounded() && e->largest.bounded()) {
+      see(e->least.high, e->at_least);
+      see(e->largest.low, e->at_largest);
+      return;
     }
+    const std::vector<double>& x = a_.column(column);
+    for (std::size_t k = 0; k < x.size(); ++k)
+      if (std::isfinite(x[k])) see(x[k], a_.time()[k]);
   }
   // With one end alone nothing tells how near to it is near, but beyond it is beyond.
   void look_beyond(std::optional<Used>& best, const ColumnId& column, const Range& range, const std::string& whose,
@@ -273,7 +314,7 @@ class Candidates {
       const double v = x[static_cast<std::size_t>(k)], excess = upper ? v - end : end - v;
       const double share = 1 + excess / std::max(std::abs(end), std::abs(v));
       if (excess > 1e-12 * std::max(1.0, std::abs(end)) && share > (best ? best->share : -1))
-        best = Used{share, v, end, end, k, whose, unit, range};
+        best = Used{share, v, end, a_.time()[static_cast<std::size_t>(k)], whose, unit, range, true};
     }
   }
   void put(const std::optional<Used>& u, const char* what, const char* range) {
@@ -281,12 +322,15 @@ class Candidates {
     const Apart apart = show_apart(u->value, u->end, u->unit);
     // A limit that is met exactly is kept.
     const double share = u->share > 1 && u->share < 1 + 1e-12 ? 1 : u->share;
-    const bool two =
-        std::isfinite(u->range.min) && std::isfinite(u->range.max) && u->range.max - u->range.min > (u->range.max - u->middle) * 1.5;
     const std::string limit =
-        two ? fmt::format("{} {} to {}", range, show(u->range.min, u->unit), show(u->range.max, u->unit)) : "limit " + apart.beside;
+        u->one_end ? "limit " + apart.beside : fmt::format("{} {} to {}", range, show(u->range.min, u->unit), show(u->range.max, u->unit));
     out_.push_back(
-        {what, apart.value, limit, u->whose + ", t = " + show_time(a_, u->sample), "displacement", share, u->value, u->end, u->unit});
+        {what, apart.value, limit, fmt::format("{}, t = {}", u->whose, when(u->time)), "displacement", share, u->value, u->end, u->unit});
+  }
+  // A sample's time as samples are told, any other with the digits that place it between them.
+  std::string when(double time) const {
+    const int k = a_.sample_at(time);
+    return a_.time()[static_cast<std::size_t>(k)] == time ? show_time(a_, k) : show(time, "s", 5);
   }
 
   const Analysis& a_;
@@ -314,12 +358,14 @@ std::vector<KeyNumber> key_numbers(const Analysis& a, const document::Report& r)
   candidates.add_ranges();
   candidates.add_forces();
   candidates.add_power();
+  candidates.add_speeds();
   candidates.add_transmission();
   candidates.add_singularity();
   candidates.add_stiffness();
   candidates.add_speed();
   candidates.add_comparison();
   candidates.add_volumes();
+  candidates.add_freedoms();
   candidates.add_joint_forces();
   std::vector<KeyNumber> out = std::move(candidates).take();
   for (KeyNumber& k : out) take_limit_of_a_check(k, r);

@@ -56,7 +56,7 @@ void add_disproportion(const Analysis& a, const document::Report& r, std::vector
   }
 }
 
-// "Of the largest torque, 32.2 N·m of θ₁ at t = 0.6 s, inertia asks for 84 %, the weights for 12 % and the load for 4 %."
+// "Of the largest torque, 32.2 N·m of θ₁ at t = 0.6 s, 84 % is for inertia, 12 % for the weights, 4 % for the load."
 void add_causes(const Analysis& a, const document::Report& r, std::vector<Finding>& out) {
   if (!a.has_dynamics() || !has(r, "dynamics")) return;
   for (const Sense sense : {Sense::linear, Sense::rotary}) {
@@ -81,8 +81,7 @@ void add_causes(const Analysis& a, const document::Report& r, std::vector<Findin
     std::vector<std::string> parts;
     for (const Cause& c : causes)
       if (std::abs(c.share) >= 0.005)
-        parts.push_back(
-            fmt::format("{} {}{} %", c.words, parts.empty() ? "asks for " : "for ", typeset(fmt::format("{:.0f}", 100 * c.share))));
+        parts.push_back(fmt::format("{} % {}for {}", typeset(fmt::format("{:.0f}", 100 * c.share)), parts.empty() ? "is " : "", c.words));
     if (parts.size() < 2) continue;  // one cause is all of it
     out.push_back({Finding::Kind::result,
                    fmt::format("Of the largest {}, {} of {} at t = {}, {}.", mechanics::word_of_effort(sense),

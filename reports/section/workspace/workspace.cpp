@@ -1,5 +1,7 @@
 #include <reports/section/workspace/workspace.hpp>
 
+#include <core/analysis/workspace/answers.hpp>
+#include <core/text/text.hpp>
 #include <reports/section/common/words.hpp>
 #include <reports/section/workspace/motion_in_it.hpp>
 
@@ -38,6 +40,9 @@ Result workspace_section(const Context& context, const WorkspaceOptions& options
   s.blocks.push_back(workspace_proof(w, machine));
   if (std::string sentence = workspace_summary(w, options.name); !sentence.empty())
     out.findings.push_back({document::Finding::Kind::result, std::move(sentence)});
+  if (const std::vector<std::string> cut = analysis::WorkspaceAnswers(w).cut_off(machine.topology()); !cut.empty())
+    out.findings.push_back({document::Finding::Kind::surprise,
+                            fmt::format("{} ends in {} where its scan does: a wider one may find more.", s.title, listed(cut, "and"))});
   out.values = workspace_values(w, machine, options);
   out.data = std::move(drawn.data);
   out.data.insert(out.data.begin(), workspace_counts(w, id));

@@ -75,7 +75,8 @@ document::Proof workspace_proof(const Workspace& w, const mechanics::Machine& ma
                                     ? fmt::format("{} poses, {} of them accepted, and none differs", check.poses, check.accepted)
                                     : fmt::format("{} of {} poses differ, the first at {}", check.differing, check.poses, check.first)));
   if (!check.not_looked_at.empty())
-    out.lines.push_back(Evidence::not_examined("Limits on indices, by other code", how, listed(check.not_looked_at, "and")));
+    out.lines.push_back(Evidence::not_examined("Limits on indices, by other code", how,
+                                               "there is no other code for " + listed(check.not_looked_at, "and")));
   if (w.proof && w.scan.orientations.empty()) {
     const std::string claim = "The volume is bracketed as narrowly as asked for", means = "relative width of the proved bracket";
     if (w.proof->empty || w.proof->enough)
