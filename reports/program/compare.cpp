@@ -14,6 +14,7 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <fstream>
 
 namespace pmreport::program {
 
@@ -37,6 +38,15 @@ compare::Results made(const std::string& scenario, const host::Catalog& catalog,
                              scenario);
 }
 
+// Whether a page says in its head that it was made by this program.
+bool is_ours(const fs::path& page) {
+  std::ifstream file(page, std::ios::binary);
+  std::string head(4096, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  return head.find("<meta name=\"generator\" content=\"pmreport ") != std::string::npos;
+}
+
 // A report replaces its folder only when nothing else is in it: a page beside it would be in the way of the next one.
 void write_page(const std::string& folder, const std::string& page) {
   std::error_code error;
@@ -44,6 +54,9 @@ void write_page(const std::string& folder, const std::string& page) {
   if (error) document::fail("reach", folder, error.value());
   if (fs::exists(place / "results.json", error))
     throw document::OutputError("cannot write the comparison into " + folder + ": it holds a report. Choose another folder.");
+  if (fs::exists(place / "compare.html", error) && !is_ours(place / "compare.html"))
+    throw document::OutputError("cannot write the comparison into " + folder +
+                                ": compare.html in it is no comparison of pmreport. Choose another folder.");
   document::MadeParents made(place / "compare.html");
   compare::replace_file(place / "compare.html", page);
   made.keep();

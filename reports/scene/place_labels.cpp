@@ -191,12 +191,16 @@ class Placer {
 
 double label_size(int picture_height) { return 0.024 * picture_height; }
 
+// A letter p behind the digits stands for a prime: names of the program have none.
 std::string label_markup(const std::string& text, double size) {
-  std::size_t end = text.size();
-  while (end > 0 && text[end - 1] >= '0' && text[end - 1] <= '9') --end;
-  if (end == 0 || end == text.size()) return figure::escape_markup(text);
-  return fmt::format("{}<span size=\"72%\" rise=\"{}\">{}</span>", figure::escape_markup(text.substr(0, end)),
-                     -std::lround(0.18 * size * PANGO_SCALE), text.substr(end));
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  const bool primed = text.size() > 2 && text.back() == 'p' && digit(text[text.size() - 2]);
+  const std::string name = primed ? text.substr(0, text.size() - 1) : text;
+  std::size_t end = name.size();
+  while (end > 0 && digit(name[end - 1])) --end;
+  if (end == 0 || end == name.size()) return figure::escape_markup(text);
+  return fmt::format("{}{}<span size=\"72%\" rise=\"{}\">{}</span>", figure::escape_markup(name.substr(0, end)), primed ? "′" : "",
+                     -std::lround(0.18 * size * PANGO_SCALE), name.substr(end));
 }
 
 std::vector<LabelSpot> find_spots(const Scene& scene, const Camera& camera, int width, int height) {

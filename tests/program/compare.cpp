@@ -181,3 +181,15 @@ TEST_CASE("an approval replaces nothing but a baseline, and leaves nothing besid
   CHECK(two.run({"approve", "a", "no/such/base.json"}).status == 4);
   CHECK(two.names() == before);
 }
+
+TEST_CASE("a page of somebody else is no comparison, and stays") {
+  const Two two;
+  std::filesystem::create_directory(two.here / "site");
+  two.here.write("site/compare.html", "<h1>mine</h1>");
+  const Result refused = two.run({"compare", "a", "b", "-o", "site"});
+  CHECK(refused.status == 4);
+  CHECK_THAT(refused.err, Contains("compare.html in it is no comparison of pmreport"));
+  CHECK(bytes_of(two.here / "site/compare.html") == "<h1>mine</h1>");
+  CHECK(two.run({"compare", "a", "b", "-o", "page"}).status == 1);
+  CHECK(two.run({"compare", "a", "b", "-o", "page"}).status == 1);
+}

@@ -98,5 +98,8 @@ TEST_CASE("digits after letters are set as a subscript, and markup in a name is 
   CHECK(label_markup("A12", 20).find("A<span") == 0);
   CHECK(label_markup("A12", 20).find(">12</span>") != std::string::npos);
   CHECK(label_markup("12", 20) == "12");
+  CHECK(label_markup("U6p", 20).find("U′<span") == 0);
+  CHECK(label_markup("U6p", 20).find(">6</span>") != std::string::npos);
+  CHECK(label_markup("lamp", 20) == "lamp");
   CHECK(label_markup("<b>", 20).find('<') == std::string::npos);
 }

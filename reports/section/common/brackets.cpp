@@ -85,7 +85,7 @@ std::string show_volume(double si, const std::string& unit, int digits) {
 }
 
 std::string show_bracket(const Bounds& b, const std::string& unit) {
-  const Ends ends = ends_of(b, 1);
+  const Ends ends = rounded_outward(b, decimals_for(std::max(std::abs(b.low), std::abs(b.high)), b.width()) + 1);
   return (ends.low == ends.high ? ends.low : ends.low + " to " + ends.high) + " " + typographic(unit);
 }
 

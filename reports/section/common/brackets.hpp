@@ -27,8 +27,8 @@ std::string instant_words(const Bounds& time);
 // "from t = 3.12 s to 3.14 s", rounded outward; "at t = 3.12 s" where that is all.
 std::string span_words(const Bounds& time);
 
-// A number of cubic metres, or of whatever unit, as a reader has it: "0.1876 m³", "2.61 m²·rad"; and two that it lies between, as
-// ends_of has them.
+// A number of cubic metres, or of whatever unit, as a reader has it: "0.1876 m³", "2.61 m²·rad"; and two that it lies between,
+// rounded outward to a decimal more than sets them apart.
 std::string show_volume(double si, const std::string& unit, int digits = 5);
 std::string show_bracket(const Bounds& b, const std::string& unit);
 

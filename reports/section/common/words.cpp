@@ -43,12 +43,16 @@ std::string show_time(const Analysis& a, int sample) {
 std::string symbol(std::string_view name) {
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> greek{
       {{"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"theta", "θ"}, {"phi", "φ"}, {"psi", "ψ"}, {"rho", "ρ"}, {"det_G", "det G"}}};
+  // A letter p behind the digits stands for a prime: "U6p".
+  const bool primed = name.size() > 2 && name.back() == 'p' && name[name.size() - 2] >= '0' && name[name.size() - 2] <= '9';
+  if (primed) name.remove_suffix(1);
   const std::size_t digits = name.find_last_not_of("0123456789") + 1;
   std::string_view stem = name.substr(0, digits);
   std::string out(stem);
   for (const auto& [word, letter] : greek)
     if (stem == word) out = letter;
   if (stem == "constraint") out = "Fτ";
+  if (primed) out += "′";
   for (const char c : name.substr(digits))
     out += fmt::format("\xE2\x82{}", static_cast<char>('\x80' + (c - '0')));  // subscript digits U+2080..
   return out;

@@ -78,7 +78,11 @@ document::Proof workspace_proof(const Workspace& w, const mechanics::Machine& ma
     out.lines.push_back(Evidence::not_examined("Limits on indices, by other code", how,
                                                "there is no other code for " + listed(check.not_looked_at, "and")));
   if (w.proof && w.scan.orientations.empty()) {
-    const std::string claim = "The volume is bracketed as narrowly as asked for", means = "relative width of the proved bracket";
+    const std::string claim = "The volume is bracketed as narrowly as asked for",
+                      means = w.margins.late > 0
+                                  ? "relative width of the proved bracket; where forces enter the platform is taken as found at home "
+                                    "and at random poses"
+                                  : "relative width of the proved bracket";
     if (w.proof->empty || w.proof->enough)
       out.lines.push_back(outcome(true, claim, means, w.proof->empty ? "proved empty" : show_bracket(w.proof->volume, w.unit)));
     else
