@@ -108,6 +108,26 @@ std::string bracket_words(const Verdict& v, const std::string& unit) {
   return v.decided ? told : told + "; the bound lies within this bracket, so the samples decide";
 }
 
+// What a section knows of a quantity from both sides, such as a volume: its values of the same name with _low and _high.
+std::optional<Bounds> known_of(const scenario::Check& c, const std::vector<document::Value>& values) {
+  if (c.quantity.empty()) return {};
+  std::optional<double> low, high;
+  for (const document::Value& v : values) {
+    const std::string name = v.section + "." + v.name;
+    if (name == c.quantity + "_low") low = v.value;
+    if (name == c.quantity + "_high") high = v.value;
+  }
+  if (!low || !high || !(*low <= *high)) return {};
+  return Bounds{*low, *high};
+}
+// Where a bound lies between them.
+std::string open_words(const scenario::Check& c, const std::vector<Verdict>& verdicts, const std::vector<document::Value>& values) {
+  const std::optional<Bounds> known = known_of(c, values);
+  const auto within = [&](const Verdict& v) { return known->low < v.bound && v.bound < known->high; };
+  if (!known || c.equals || std::ranges::none_of(verdicts, within)) return "";
+  return "it lies within " + show_bracket(*known, c.unit) + ", and the bound too, so their middle decides";
+}
+
 document::Check evaluate(const Analysis& a, const Proved& p, const scenario::Check& c, const std::vector<document::Value>& values) {
   std::vector<Verdict> verdicts;
   if (c.below) verdicts.push_back(judge(a, p, c, values, *c.below, true));
@@ -142,6 +162,12 @@ document::Check evaluate(const Analysis& a, const Proved& p, const scenario::Che
     else
       out.message = fmt::format("{}{}: {} is {}, which is {}{}", v.found.sample >= 0 ? "t = " + show_time(a, v.found.sample) + ": " : "",
                                 c.that, c.quantity.empty() ? v.found.column : "it", told.value, v.broken, told.beside);
+  }
+  if (const std::string open = open_words(c, verdicts, values); !open.empty()) {
+    if (out.passed)
+      brackets.push_back(open);
+    else
+      out.message += "; " + open;
   }
   if (out.passed) out.message = fmt::format("{}", fmt::join(brackets, "; "));
   out.name = c.that + " " + out.limit;

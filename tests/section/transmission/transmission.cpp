@@ -199,3 +199,26 @@ TEST_CASE("the workspace of good transmission is proved, and is the one between 
   CHECK(high - low < 2e-3 * exact);
   CHECK_THAT(text_of(section_of(r, "workspace")), !Contains("No volume is proved"));
 }
+
+TEST_CASE("a check whose bound lies within what is proved of a volume says that the middle decides") {
+  const auto checked = [](double bound) {
+    return report_of(
+        "title = \"Two legs\"\n[mechanism]\nuse = \"two-legs\"\n[[section]]\nkind = \"workspace\"\nlimits = [\"strokes\"]\n"
+        "scan = { x = [\"0 mm\", \"300 mm\", 21], y = [\"150 mm\", \"505 mm\", 21] }\npictures = false\ngap = 0.05\n"
+        "[[section.limit]]\nindex = \"transmission\"\nmin = 0.7\n[[check]]\nthat = \"workspace.volume\"\nabove = \"" +
+            std::to_string(bound) + " m^2\"\n",
+        test::only<test::TwoLegs>());
+  };
+  const auto first = checked(1e-3);
+  const double low = value(first, "volume_low"), high = value(first, "volume_high");
+  REQUIRE(high - low > 1e-4);
+  CHECK(first.checks.front().passed);
+  CHECK_THAT(first.checks.front().message, !Contains("middle"));
+  const auto kept = checked(low + 0.25 * (high - low)), broken = checked(low + 0.75 * (high - low)), beyond = checked(high + 0.01);
+  CHECK(kept.checks.front().passed);
+  CHECK_THAT(kept.checks.front().message, Contains("it lies within ") && Contains("so their middle decides"));
+  CHECK_FALSE(broken.checks.front().passed);
+  CHECK_THAT(broken.checks.front().message, Contains("which is not above") && Contains("so their middle decides"));
+  CHECK_FALSE(beyond.checks.front().passed);
+  CHECK_THAT(beyond.checks.front().message, !Contains("middle"));
+}
