@@ -5,6 +5,7 @@
 #include <reports/document/html/figure_words.hpp>
 #include <reports/document/html/html_page.hpp>
 #include <reports/document/html/series_data.hpp>
+#include <reports/document/narrowed.hpp>
 
 namespace pmreport::document {
 
@@ -93,11 +94,14 @@ void write_figure(Page& page, const figure::Figure& figure) {
   ++page.figure;
 }
 
+// As wide as they are shown on a screen of two pixels a point; the file beside the report has all.
+constexpr int alone = 1200, beside_others = 860;  // [px]
+
 void write_gallery(Page& page, const Gallery& gallery) {
   HtmlWriter& html = page.html;
   html.element("figure", {{"class", gallery.pictures.size() == 1 ? "gallery single" : "gallery"}}, [&] {
     html.element("div", {{"class", "pictures"}}, [&] {
-      for (const Picture& picture : gallery.pictures) write_picture(page, picture);
+      for (const Picture& picture : gallery.pictures) write_picture(page, picture, gallery.pictures.size() == 1 ? alone : beside_others);
     });
     if (!gallery.caption.empty()) html.element("figcaption", gallery.caption);
   });
@@ -136,11 +140,11 @@ void write_proof(Page& page, const Section& section, const Proof& proof) {
 
 }  // namespace
 
-void write_picture(Page& page, const Picture& picture) {
+void write_picture(Page& page, const Picture& picture, int most_pixels) {
   HtmlWriter& html = page.html;
   const std::string file = "snapshots/" + page.names.pictures[page.picture] + ".png";
   html.element("figure", [&] {
-    html.open("img", {{"src", "data:image/png;base64," + base64(picture.png)},
+    html.open("img", {{"src", "data:image/png;base64," + base64(narrowed(picture.png, most_pixels))},
                       {"alt", picture.caption},
                       {"width", std::to_string(picture.width)},
                       {"height", std::to_string(picture.height)}});

@@ -162,7 +162,7 @@ void write_front(Page& page) {
   const Report& r = page.report;
   html.element("section", {{"id", "summary"}, {"aria-label", "Summary"}}, [&] {
     html.element("div", {{"class", "front"}}, [&] {
-      if (r.cover) write_picture(page, *r.cover);
+      if (r.cover) write_picture(page, *r.cover, r.cover->width);
       write_verdict(page);
     });
     write_failures(page);

@@ -17,7 +17,7 @@ struct Page {
 
 void write_block(Page& page, const Section& section, const Block& block);
 void write_paragraph(Page& page, const Paragraph& paragraph);
-void write_picture(Page& page, const Picture& picture);
+void write_picture(Page& page, const Picture& picture, int most_pixels);  // in width; the file beside the report has all
 void write_front(Page& page);
 
 // The box in which a wide thing moves sideways on a narrow screen; the keyboard reaches it too.

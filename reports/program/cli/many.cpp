@@ -3,10 +3,10 @@
 #include <core/text/text.hpp>
 #include <reports/document/data/results.hpp>
 #include <reports/document/folder/file.hpp>
+#include <reports/document/narrowed.hpp>
 #include <reports/document/text.hpp>
 #include <reports/program/cli/child.hpp>
 #include <reports/program/cli/index_of_reports.hpp>
-#include <reports/program/cli/thumbnail.hpp>
 #include <reports/program/commands.hpp>
 #include <reports/program/terminal.hpp>
 
@@ -92,7 +92,7 @@ void read_results(const fs::path& folder, Outcome& out) {
     for (const auto& [verdict, count] : results.at("verdict").at(name).items()) (*tally)[verdict] = count;
   if (results.at("snapshots").empty()) return;
   const auto& first = results.at("snapshots").front();
-  out.thumbnail = thumbnail(folder / first.at("png").get<std::string>(), thumbnail_width);
+  out.thumbnail = document::narrowed(bytes_of(folder / first.at("png").get<std::string>()), thumbnail_width);
   out.thumbnail_words = first.at("caption");
 }
 

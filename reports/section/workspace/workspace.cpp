@@ -41,8 +41,9 @@ Result workspace_section(const Context& context, const WorkspaceOptions& options
   if (std::string sentence = workspace_summary(w, options.name); !sentence.empty())
     out.findings.push_back({document::Finding::Kind::result, std::move(sentence)});
   if (const std::vector<std::string> cut = analysis::WorkspaceAnswers(w).cut_off(machine.topology()); !cut.empty())
-    out.findings.push_back({document::Finding::Kind::surprise,
-                            fmt::format("{}: the scan ends in {} before the workspace does, and a wider one finds more.", s.title, listed(cut, "and"))});
+    out.findings.push_back(
+        {document::Finding::Kind::surprise,
+         fmt::format("{}: the scan ends in {} before the workspace does, and a wider one finds more.", s.title, listed(cut, "and"))});
   out.values = workspace_values(w, machine, options);
   out.data = std::move(drawn.data);
   out.data.insert(out.data.begin(), workspace_counts(w, id));
