@@ -18,6 +18,8 @@ namespace pmreport::program {
 
 namespace {
 
+constexpr std::size_t most_told = 16384;  // [bytes]: whoever says more is not kept
+
 using document::Descriptor;
 
 struct Pipe {
@@ -73,7 +75,7 @@ ChildResult run_again(const std::vector<std::string>& arguments, bool (*stop)(),
         continue;
       }
       const bool is_err = stream.fd == streams[1].fd;
-      if (is_err) result.told.append(bytes, static_cast<std::size_t>(n));
+      if (is_err && result.told.size() < most_told) result.told.append(bytes, static_cast<std::size_t>(n));
       before_words();
       std::fwrite(bytes, 1, static_cast<std::size_t>(n), is_err ? stderr : stdout);
       std::fflush(stdout);

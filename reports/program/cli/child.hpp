@@ -9,7 +9,7 @@ namespace pmreport::program {
 
 struct ChildResult {
   int status = 0;    // exit status; 128 and the number of the signal that ended it
-  std::string told;  // what it wrote on stderr
+  std::string told;  // what it wrote on stderr, the first of it
 };
 
 // With these arguments. What it writes is handed on as it comes, after a call of `before_words`. `stop`: asked when a signal came: the

@@ -1,6 +1,7 @@
 // pmreport SCENARIO SCENARIO ...: a report of each, in one folder with an index. Each is made by a process of its own, one after the other,
 // so that none takes the others along.
 #include <core/text/text.hpp>
+#include <reports/compare/replaced_file.hpp>
 #include <reports/document/data/results.hpp>
 #include <reports/document/folder/file.hpp>
 #include <reports/document/narrowed.hpp>
@@ -13,9 +14,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <unistd.h>
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -58,23 +57,6 @@ void refuse_foreign(const fs::path& folder) {
   if (fs::exists(folder / "index.html", error) && !is_index(bytes_of(folder / "index.html")))
     throw document::OutputError(
         fmt::format("{} is no index of reports; choose another folder, or move it away", (folder / "index.html").string()));
-}
-
-// In one step, so that it is the old one or the new one.
-void write_over(const fs::path& path, const std::string& bytes) {
-  const fs::path partial = path.parent_path() / fmt::format(".{}.{}.partial", path.filename().string(), getpid());
-  std::error_code none_there;
-  try {
-    document::write_new_file(partial, bytes);
-  } catch (...) {
-    fs::remove(partial, none_there);
-    throw;
-  }
-  if (rename(partial.c_str(), path.c_str()) != 0) {
-    const int error = errno;
-    fs::remove(partial, none_there);
-    document::fail("replace", path, error);
-  }
 }
 
 std::string without_line_end(std::string text) {
@@ -164,8 +146,8 @@ int many(const Options& options, bool (*stop)()) {
   int worst = all_well;
   for (const Outcome& o : outcomes) worst = std::max(worst, o.status);
   if (options.check_only) return worst;
-  write_over(folder / "index.json", index_json(outcomes));
-  write_over(folder / "index.html", index_html(outcomes));
+  compare::replace_file(folder / "index.json", index_json(outcomes));
+  compare::replace_file(folder / "index.html", index_html(outcomes));
   if (!options.quiet) fmt::print("{}; {}\n", tally_of(outcomes), (folder / "index.html").string());
   return worst;
 }
