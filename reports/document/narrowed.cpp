@@ -1,17 +1,13 @@
 #include <reports/document/narrowed.hpp>
 
-#include <cairo.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <memory>
+#include <utility>
 
 namespace pmreport::document {
 
 namespace {
-
-using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 
 struct Reader {
   const std::string& png;
@@ -29,28 +25,42 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
   return CAIRO_STATUS_SUCCESS;
 }
 
+// Null when the bytes are no PNG.
+Surface read_png(const std::string& png) {
+  Reader reader{png};
+  Surface source(cairo_image_surface_create_from_png_stream(read, &reader));
+  return cairo_surface_status(source.get()) == CAIRO_STATUS_SUCCESS ? std::move(source) : nullptr;
+}
+
+Surface on_white(cairo_surface_t* source, int width) {
+  const int w = cairo_image_surface_get_width(source), h = cairo_image_surface_get_height(source);
+  const double scale = std::min(1.0, static_cast<double>(width) / w);
+  const auto scaled = [&](int length) { return std::max(1, static_cast<int>(std::lround(scale * length))); };
+  Surface result(cairo_image_surface_create(CAIRO_FORMAT_RGB24, scaled(w), scaled(h)));
+  cairo_t* cr = cairo_create(result.get());
+  cairo_set_source_rgb(cr, 1, 1, 1);
+  cairo_paint(cr);
+  cairo_scale(cr, static_cast<double>(scaled(w)) / w, static_cast<double>(scaled(h)) / h);
+  cairo_set_source_surface(cr, source, 0, 0);
+  cairo_pattern_set_filter(cairo_get_source(cr), scale < 1 ? CAIRO_FILTER_GOOD : CAIRO_FILTER_NEAREST);
+  cairo_pattern_set_extend(cairo_get_source(cr), CAIRO_EXTEND_PAD);
+  cairo_paint(cr);
+  cairo_destroy(cr);
+  return result;
+}
+
 }  // namespace
 
+Surface decoded(const std::string& png, int width) {
+  const Surface source = read_png(png);
+  return source ? on_white(source.get(), width) : nullptr;
+}
+
 std::string narrowed(const std::string& png, int width) {
-  Reader reader{png};
-  const Surface large(cairo_image_surface_create_from_png_stream(read, &reader), cairo_surface_destroy);
-  if (cairo_surface_status(large.get()) != CAIRO_STATUS_SUCCESS) return png;
-  const int from_width = cairo_image_surface_get_width(large.get()), from_height = cairo_image_surface_get_height(large.get());
-  if (from_width <= width) return png;
-  const double scale = static_cast<double>(width) / from_width;
-  const int height = std::max(1, static_cast<int>(std::lround(scale * from_height)));
-  const Surface small(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height), cairo_surface_destroy);
-  cairo_t* drawing = cairo_create(small.get());
-  cairo_set_source_rgb(drawing, 1, 1, 1);
-  cairo_paint(drawing);
-  cairo_scale(drawing, scale, static_cast<double>(height) / from_height);
-  cairo_set_source_surface(drawing, large.get(), 0, 0);
-  cairo_pattern_set_filter(cairo_get_source(drawing), CAIRO_FILTER_GOOD);
-  cairo_pattern_set_extend(cairo_get_source(drawing), CAIRO_EXTEND_PAD);
-  cairo_paint(drawing);
-  cairo_destroy(drawing);
+  const Surface source = read_png(png);
+  if (!source || cairo_image_surface_get_width(source.get()) <= width) return png;
   std::string out;
-  return cairo_surface_write_to_png_stream(small.get(), append, &out) == CAIRO_STATUS_SUCCESS ? out : png;
+  return cairo_surface_write_to_png_stream(on_white(source.get(), width).get(), append, &out) == CAIRO_STATUS_SUCCESS ? out : png;
 }
 
 }  // namespace pmreport::document

@@ -1,9 +1,20 @@
 // Pictures made smaller.
 #pragma once
 
+#include <cairo.h>
+
+#include <memory>
 #include <string>
 
 namespace pmreport::document {
+
+struct DestroySurface {
+  void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, DestroySurface>;
+
+// The picture of a PNG at most `width` pixels wide, opaque on white; null when the bytes are no PNG.
+Surface decoded(const std::string& png, int width);
 
 // A PNG at most `width` pixels wide, on white; itself where it is no wider, or no PNG.
 std::string narrowed(const std::string& png, int width);

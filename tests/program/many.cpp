@@ -16,15 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string failing = with(small, {{"title = \"Small\"", "title = \"Fails & <b>bold</b>\""}, {"400 N", "1 N"}});
-constexpr std::string_view slider = R"toml(title = "Slider"
-[mechanism]
-use = "plain-slider"
-[motion]
-duration = "1 s"
-samples = 3
-[[section]]
-kind = "displacement"
-)toml";
 const std::string wrong = with(small, {{"samples", "sampels"}});
 
 Result in(const Workshop& here, std::vector<std::string> arguments) { return pmreport(std::move(arguments), {.folder = here.path()}); }

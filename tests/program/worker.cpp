@@ -9,19 +9,10 @@
 
 namespace fs = std::filesystem;
 using program_test::Result;
+using program_test::slider;
 using program_test::Workshop;
 
 namespace {
-
-constexpr std::string_view slider = R"toml(title = "Slider"
-[mechanism]
-use = "plain-slider"
-[motion]
-duration = "1 s"
-samples = 3
-[[section]]
-kind = "displacement"
-)toml";
 
 struct Evil {
   explicit Evil(const std::string& plugin) {

@@ -34,6 +34,17 @@ std::string bytes_of(const std::filesystem::path& file);
 // All files below a folder by their relative paths, with their bytes.
 std::map<std::string, std::string> contents(const std::filesystem::path& folder);
 
+// Three samples of a plugin of the tests.
+inline constexpr std::string_view slider = R"toml(title = "Slider"
+[mechanism]
+use = "plain-slider"
+[motion]
+duration = "1 s"
+samples = 3
+[[section]]
+kind = "displacement"
+)toml";
+
 // A sound scenario of 21 samples in 2 s without pictures, all sections of curves, one check that passes.
 inline constexpr std::string_view small = R"toml(title = "Small"
 

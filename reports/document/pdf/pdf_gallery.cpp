@@ -1,56 +1,16 @@
 // Pictures: decoded when they are drawn, one at a time; laid on white, so that the file needs no mask; no finer than print can show.
+#include <reports/document/narrowed.hpp>
 #include <reports/document/pdf/pdf_blocks.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <memory>
 
 namespace pmreport::document::pdf {
 
 namespace {
-
-struct Destroy {
-  void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
-  void operator()(cairo_t* c) const { cairo_destroy(c); }
-};
-using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
-using Context = std::unique_ptr<cairo_t, Destroy>;
-
-struct Reader {
-  const std::string& png;
-  std::size_t at = 0;
-};
-
-cairo_status_t read(void* closure, unsigned char* data, unsigned int length) {
-  Reader& r = *static_cast<Reader*>(closure);
-  if (r.png.size() - r.at < length) return CAIRO_STATUS_READ_ERROR;
-  std::memcpy(data, r.png.data() + r.at, length);
-  r.at += length;
-  return CAIRO_STATUS_SUCCESS;
-}
-
-// Opaque, at most `width` pixels wide; null when the bytes are no PNG.
-Surface decode(const std::string& png, double width) {
-  Reader reader{png};
-  const Surface source(cairo_image_surface_create_from_png_stream(read, &reader));
-  if (cairo_surface_status(source.get()) != CAIRO_STATUS_SUCCESS) return nullptr;
-  const int w = cairo_image_surface_get_width(source.get()), h = cairo_image_surface_get_height(source.get());
-  const double scale = std::min(1.0, width / w);
-  const int new_w = std::max(1, static_cast<int>(std::lround(scale * w))), new_h = std::max(1, static_cast<int>(std::lround(scale * h)));
-  Surface result(cairo_image_surface_create(CAIRO_FORMAT_RGB24, new_w, new_h));
-  const Context cr(cairo_create(result.get()));
-  cairo_set_source_rgb(cr.get(), 1, 1, 1);
-  cairo_paint(cr.get());
-  cairo_scale(cr.get(), static_cast<double>(new_w) / w, static_cast<double>(new_h) / h);
-  cairo_set_source_surface(cr.get(), source.get(), 0, 0);
-  cairo_pattern_set_filter(cairo_get_source(cr.get()), scale < 1 ? CAIRO_FILTER_GOOD : CAIRO_FILTER_NEAREST);
-  cairo_pattern_set_extend(cairo_get_source(cr.get()), CAIRO_EXTEND_PAD);
-  cairo_paint(cr.get());
-  return result;
-}
 
 // Height of a picture `width` wide, in the proportions that its PNG header states; those of 4:3 when it has none.
 double height_at(const Picture& p, double width) {
@@ -96,7 +56,7 @@ std::string letter(std::size_t i) { return i < 26 ? fmt::format("({})", static_c
 
 void draw_picture(cairo_t* cr, const Picture& p, const Box& box) {
   constexpr double pixels_per_point = 300.0 / 72;
-  const Surface image = decode(p.png, box.width * pixels_per_point);
+  const Surface image = decoded(p.png, static_cast<int>(std::lround(box.width * pixels_per_point)));
   if (image) {
     cairo_save(cr);
     cairo_translate(cr, box.x, box.y);
