@@ -4,7 +4,7 @@
 #include <core/analysis/conditioning.hpp>
 #include <core/mechanics/machine/machine.hpp>
 #include <core/mechanics/trajectory/trajectory.hpp>
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 
 #include <Eigen/Core>
 #include <optional>

@@ -1,7 +1,7 @@
 // A bracket of the volume of a set of poses, proved.
 #pragma once
 
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 #include <core/scan/pose_set.hpp>
 
 #include <limits>

@@ -1,7 +1,7 @@
 // Boxes and balls of poses that are proved to lie within a set: limits that a controller may be given.
 #pragma once
 
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 #include <core/scan/pose_set.hpp>
 
 #include <cstdint>

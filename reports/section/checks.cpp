@@ -1,10 +1,10 @@
 // The gates of a report.
 #include <reports/section/checks.hpp>
-#include <reports/section/common/brackets.hpp>
-#include <reports/section/common/demands.hpp>
-#include <reports/section/common/limits.hpp>
-#include <reports/section/common/singular_words.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/brackets.hpp>
+#include <reports/section/common/words/demands.hpp>
+#include <reports/section/common/words/limits.hpp>
+#include <reports/section/common/words/singular_words.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include <core/analysis/study/reduce.hpp>
 #include <reports/document/report.hpp>
 #include <reports/section/common/analysis.hpp>
-#include <reports/section/common/proof_words.hpp>
+#include <reports/section/common/words/proof_words.hpp>
 
 #include <string>
 #include <vector>

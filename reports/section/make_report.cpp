@@ -1,9 +1,9 @@
 #include <reports/document/data/sha256.hpp>
 #include <reports/section/checks.hpp>
-#include <reports/section/common/motion_words.hpp>
 #include <reports/section/common/plots.hpp>
-#include <reports/section/common/proof_words.hpp>
 #include <reports/section/common/stage.hpp>
+#include <reports/section/common/words/motion_words.hpp>
+#include <reports/section/common/words/proof_words.hpp>
 #include <reports/section/every_instant/every_instant.hpp>
 #include <reports/section/front/front.hpp>
 #include <reports/section/front/model_file.hpp>

@@ -3,7 +3,7 @@
 
 #include <core/host/plugin_file.hpp>
 #include <core/mechanics/machine/machine.hpp>
-#include <core/program/boxes.hpp>
+#include <core/program/intervals/boxes.hpp>
 #include <tests/bench/interval_kernel.hpp>
 #include <tests/bench/timing.hpp>
 

@@ -1,5 +1,5 @@
-#include <core/program/interval_lanes.hpp>
-#include <core/program/rounding.hpp>
+#include <core/program/intervals/interval_lanes.hpp>
+#include <core/program/intervals/rounding.hpp>
 #include <tests/bench/interval_kernel.hpp>
 
 namespace pmreport::bench {

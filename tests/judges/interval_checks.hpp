@@ -2,8 +2,8 @@
 // only.
 #pragma once
 
-#include <core/program/interval.hpp>
-#include <core/program/rounding.hpp>
+#include <core/program/intervals/interval.hpp>
+#include <core/program/intervals/rounding.hpp>
 #include <tests/judges/interval_judges.hpp>
 
 #include <algorithm>

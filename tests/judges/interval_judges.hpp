@@ -2,7 +2,7 @@
 // at a point. Both compute with as many digits as they are told to, so that what they say is true to far beyond a double.
 #pragma once
 
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 
 #include <arb.h>
 #include <mpfi.h>

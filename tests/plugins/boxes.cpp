@@ -1,5 +1,5 @@
 // The bounds of a box of poses hold for the poses in it, of every mechanism there is.
-#include <core/program/boxes.hpp>
+#include <core/program/intervals/boxes.hpp>
 #include <tests/plugins/every_mechanism.hpp>
 
 #include <numeric>

@@ -1,7 +1,7 @@
 #include <tests/proof/sine_motion.hpp>
 
-#include <core/program/interval.hpp>
-#include <core/program/rounding.hpp>
+#include <core/program/intervals/interval.hpp>
+#include <core/program/intervals/rounding.hpp>
 
 namespace pmreport::test {
 

@@ -1,10 +1,10 @@
 // Boxes give what the program gives on the interval scalar, whatever their number.
 #include <array>
 #include <catch2/catch.hpp>
-#include <core/program/boxes.hpp>
 #include <core/program/evaluate.hpp>
-#include <core/program/interval.hpp>
-#include <core/program/rounding.hpp>
+#include <core/program/intervals/boxes.hpp>
+#include <core/program/intervals/interval.hpp>
+#include <core/program/intervals/rounding.hpp>
 #include <random>
 #include <vector>
 

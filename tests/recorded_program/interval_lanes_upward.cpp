@@ -2,8 +2,8 @@
 #include <array>
 #include <bit>
 #include <catch2/catch.hpp>
-#include <core/program/interval_lanes.hpp>
-#include <core/program/rounding.hpp>
+#include <core/program/intervals/interval_lanes.hpp>
+#include <core/program/intervals/rounding.hpp>
 #include <cstdint>
 #include <random>
 

@@ -2,9 +2,9 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cfenv>
-#include <core/program/boxes.hpp>
+#include <core/program/intervals/boxes.hpp>
+#include <core/program/intervals/rounding.hpp>
 #include <core/program/recorder.hpp>
-#include <core/program/rounding.hpp>
 #include <stdexcept>
 
 #if defined(__SSE2__)

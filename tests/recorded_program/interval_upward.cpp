@@ -1,7 +1,7 @@
 // What intervals say, and when they say nothing. That they hold what they must is judged by other programs: tests/judges/intervals.
 #include <catch2/catch.hpp>
-#include <core/program/interval.hpp>
-#include <core/program/rounding.hpp>
+#include <core/program/intervals/interval.hpp>
+#include <core/program/intervals/rounding.hpp>
 #include <cstdint>
 #include <functional>
 #include <numbers>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cmath>
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 #include <functional>
 #include <pmreport/jet.hpp>
 #include <random>

@@ -1,7 +1,7 @@
 // Numbers between bounds, as a report writes them: what is written encloses what was known.
 #include <catch2/catch.hpp>
 
-#include <reports/section/common/brackets.hpp>
+#include <reports/section/common/words/brackets.hpp>
 
 #include <cmath>
 #include <cstdlib>

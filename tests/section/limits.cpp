@@ -2,7 +2,7 @@
 // rail P2, through the hinge R, the third that is left.
 #include <catch2/catch.hpp>
 
-#include <reports/section/common/limits.hpp>
+#include <reports/section/common/words/limits.hpp>
 #include <tests/section/gantry.hpp>
 
 using namespace pmreport;

@@ -2,7 +2,7 @@
 // q bears the load along X, and whose constraint c1 bears that along Y, each alone.
 #include <catch2/catch.hpp>
 
-#include <reports/section/common/noise.hpp>
+#include <reports/section/common/words/noise.hpp>
 #include <tests/analysis/run.hpp>
 #include <tests/scenario/trial.hpp>
 #include <tests/section/report_words.hpp>

@@ -1,7 +1,7 @@
 // What is proved of a motion, in words: of proofs made by hand.
 #include <catch2/catch.hpp>
 
-#include <reports/section/common/proof_words.hpp>
+#include <reports/section/common/words/proof_words.hpp>
 
 #include <vector>
 

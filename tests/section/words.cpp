@@ -1,8 +1,8 @@
 // Sentences and symbols of a report. The mechanism is a slide with a turntable, whose numbers can be worked out by hand.
 #include <catch2/catch.hpp>
 
-#include <reports/section/common/limits.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/limits.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <tests/analysis/run.hpp>
 #include <tests/scenario/trial.hpp>
 

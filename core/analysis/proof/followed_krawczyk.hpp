@@ -31,7 +31,7 @@
 #pragma once
 
 #include <core/analysis/proof/followed_frame.hpp>
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 
 #include <array>
 #include <memory>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <core/analysis/proof/followed_krawczyk.hpp>
-#include <core/program/interval.hpp>
+#include <core/program/intervals/interval.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include <core/analysis/proof/followed_krawczyk.hpp>
 
 #include <core/analysis/proof/followed_linearised.hpp>
-#include <core/program/rounding.hpp>
+#include <core/program/intervals/rounding.hpp>
 
 #include <algorithm>
 #include <cmath>

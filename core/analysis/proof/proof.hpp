@@ -5,7 +5,7 @@
 #include <core/analysis/column_names.hpp>
 #include <core/mechanics/machine/machine.hpp>
 #include <core/mechanics/trajectory/trajectory.hpp>
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 
 #include <limits>
 #include <string>

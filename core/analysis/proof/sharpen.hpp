@@ -1,7 +1,7 @@
 // The interval arithmetic of spans.hpp, on plain bounds: rounding goes upward within, and nowhere else.
 #pragma once
 
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 
 #include <span>
 

@@ -1,7 +1,7 @@
 #include <core/analysis/proof/sharpen.hpp>
 
-#include <core/program/interval.hpp>
-#include <core/program/rounding.hpp>
+#include <core/program/intervals/interval.hpp>
+#include <core/program/intervals/rounding.hpp>
 
 namespace pmreport::analysis {
 

@@ -11,8 +11,8 @@
 
 #include <core/analysis/proof/quantities.hpp>
 #include <core/mechanics/trajectory/trajectory.hpp>
-#include <core/program/bounds.hpp>
-#include <core/program/boxes.hpp>
+#include <core/program/intervals/bounds.hpp>
+#include <core/program/intervals/boxes.hpp>
 
 #include <array>
 #include <span>

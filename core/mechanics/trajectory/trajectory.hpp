@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 #include <functional>
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // Orientations of a scan with all that they decide, and what is common to neighbours among them.
 #pragma once
 
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 #include <core/scan/judge/plan.hpp>
 
 #include <cstdint>

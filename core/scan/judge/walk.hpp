@@ -1,7 +1,7 @@
 // All poses of a block of a grid, judged: as one where intervals decide, else by halves, at last pose by pose.
 #pragma once
 
-#include <core/program/boxes.hpp>
+#include <core/program/intervals/boxes.hpp>
 #include <core/scan/judge/judge.hpp>
 #include <core/scan/judge/orientations.hpp>
 #include <core/scan/judge/tile.hpp>

@@ -1,7 +1,7 @@
 // A ball of poses, and what a box of them has to do with it.
 #pragma once
 
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 
 #include <span>
 #include <vector>

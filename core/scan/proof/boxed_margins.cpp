@@ -1,8 +1,8 @@
 #include <core/scan/proof/boxed_margins.hpp>
 
 #include <core/program/batch.hpp>
-#include <core/program/boxes.hpp>
 #include <core/program/derivative.hpp>
+#include <core/program/intervals/boxes.hpp>
 #include <core/scan/proof/apart.hpp>
 #include <core/scan/proof/half_space.hpp>
 

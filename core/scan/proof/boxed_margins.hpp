@@ -1,8 +1,8 @@
 // The margins of a set of poses as programs for boxes of the scanned coordinates.
 #pragma once
 
-#include <core/program/bounds.hpp>
 #include <core/program/guided.hpp>
+#include <core/program/intervals/bounds.hpp>
 #include <core/program/program.hpp>
 #include <core/scan/pose_set.hpp>
 

@@ -1,7 +1,7 @@
 // What margins say of boxes of poses: all of it inside, none of it, or how much at least and at most.
 #pragma once
 
-#include <core/program/boxes.hpp>
+#include <core/program/intervals/boxes.hpp>
 #include <core/scan/proof/ball.hpp>
 #include <core/scan/proof/boxed_margins.hpp>
 #include <core/scan/proof/margin_sets.hpp>

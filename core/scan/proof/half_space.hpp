@@ -1,7 +1,7 @@
 // The share of a box that a half-space covers, rounded outward.
 #pragma once
 
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 
 #include <cstddef>
 #include <span>

@@ -1,7 +1,7 @@
 #include <core/scan/proof/half_space.hpp>
 
-#include <core/program/interval.hpp>
-#include <core/program/rounding.hpp>
+#include <core/program/intervals/interval.hpp>
+#include <core/program/intervals/rounding.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // Boxes of poses of which it is not decided how much belongs to the set, in stretches of memory.
 #pragma once
 
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // An expression of t over a span of time: what it can be at any instant of it, proved by interval arithmetic.
 #pragma once
 
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 #include <core/scenario/expression/expression.hpp>
 #include <pmreport/jet.hpp>
 

@@ -1,4 +1,4 @@
-#include <core/program/rounding.hpp>
+#include <core/program/intervals/rounding.hpp>
 #include <core/scenario/expression/enclosure.hpp>
 #include <core/scenario/expression/sharp_series.hpp>
 

@@ -1,7 +1,7 @@
 // Hulls of any run of neighbours in a long row of bounds, each in a logarithm of its length.
 #pragma once
 
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 #include <vector>
 
 namespace pmreport::scenario {

@@ -1,7 +1,7 @@
 // The integral of an expression of time over a span of time: what it can be at any instant of it, proved by interval arithmetic.
 #pragma once
 
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 #include <core/scenario/expression/expression.hpp>
 #include <memory>
 #include <mutex>

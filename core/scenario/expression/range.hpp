@@ -1,7 +1,7 @@
 // Ranges of the terms of an expression: no term takes a value outside its own, rounding included.
 #pragma once
 
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 #include <core/scenario/expression/expression.hpp>
 #include <vector>
 

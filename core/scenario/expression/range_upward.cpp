@@ -1,4 +1,4 @@
-#include <core/program/rounding.hpp>
+#include <core/program/intervals/rounding.hpp>
 #include <core/scenario/expression/range.hpp>
 #include <core/scenario/expression/series.hpp>
 #include <core/scenario/expression/terms.hpp>

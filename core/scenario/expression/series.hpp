@@ -11,7 +11,7 @@
 
 #include <array>
 #include <cmath>
-#include <core/program/interval.hpp>
+#include <core/program/intervals/interval.hpp>
 #include <limits>
 #include <span>
 #include <vector>

@@ -1,7 +1,7 @@
 // Curves through points, with exact rates and accelerations.
 #pragma once
 
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 #include <core/scenario/motion/whole_pieces.hpp>
 #include <pmreport/jet.hpp>
 #include <vector>

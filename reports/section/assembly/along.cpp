@@ -1,6 +1,6 @@
 #include <reports/section/assembly/along.hpp>
 #include <reports/section/common/plots.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <core/text/text.hpp>
 

@@ -2,7 +2,7 @@
 #include <reports/section/assembly/along.hpp>
 #include <reports/section/assembly/assembly.hpp>
 #include <reports/section/assembly/modes.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/core.h>
 

@@ -1,5 +1,5 @@
 #include <reports/section/assembly/modes.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/core.h>
 

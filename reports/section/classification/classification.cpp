@@ -1,7 +1,7 @@
 // Section `classification`: the class of parallel-cross mechanisms.
 #include <core/classification/classification.hpp>
 #include <reports/section/classification/classification.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
 #include <core/mechanics/model/effort.hpp>
 #include <reports/section/common/force_plots.hpp>
 
-#include <reports/section/common/noise.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/noise.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #include <core/text/digits.hpp>
-#include <reports/section/common/noise.hpp>
 #include <reports/section/common/plots.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/noise.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/core.h>
 

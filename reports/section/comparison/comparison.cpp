@@ -1,7 +1,7 @@
 // Section `comparison`: numbers of this report against published ones.
 #include <reports/document/quantity.hpp>
 #include <reports/section/checks.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/comparison/comparison.hpp>
 
 #include <fmt/core.h>

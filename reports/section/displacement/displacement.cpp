@@ -1,8 +1,8 @@
 // Section `displacement`.
 #include <core/mechanics/machine/joint_words.hpp>
 #include <reports/section/common/kinematic_plots.hpp>
-#include <reports/section/common/limits.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/limits.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/displacement/displacement.hpp>
 #include <reports/section/displacement/prescribed.hpp>
 

@@ -1,6 +1,6 @@
 // The figures of the section `drives`.
 #include <reports/section/common/force_plots.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/drives/drives.hpp>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The tables of the section `drives`.
 #include <core/mechanics/model/effort.hpp>
 #include <reports/section/common/force_plots.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/drives/drives.hpp>
 
 #include <fmt/core.h>

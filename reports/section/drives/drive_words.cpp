@@ -1,5 +1,5 @@
 // What the section `drives` says of its drives: what they are, and how losses are counted.
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/drives/drives.hpp>
 
 #include <fmt/core.h>

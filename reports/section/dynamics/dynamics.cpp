@@ -2,8 +2,8 @@
 #include <core/analysis/study/given_forces.hpp>
 #include <core/analysis/study/motion_work.hpp>
 #include <reports/section/common/force_plots.hpp>
-#include <reports/section/common/singular_words.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/singular_words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/dynamics/dynamics.hpp>
 #include <reports/section/dynamics/dynamics_words.hpp>
 #include <reports/section/dynamics/energy.hpp>

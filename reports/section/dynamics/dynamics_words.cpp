@@ -4,7 +4,7 @@
 
 #include <core/analysis/samples/motion_probe.hpp>
 #include <core/mechanics/dynamics/virtual_work.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/core.h>
 

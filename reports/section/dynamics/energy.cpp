@@ -1,8 +1,8 @@
 #include <reports/section/dynamics/energy.hpp>
 
 #include <core/text/text.hpp>
-#include <reports/section/common/motion_words.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/motion_words.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/core.h>
 

@@ -1,8 +1,8 @@
 #include <reports/section/every_instant/every_instant.hpp>
 
 #include <core/text/units.hpp>
-#include <reports/section/common/brackets.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/brackets.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/format.h>
 

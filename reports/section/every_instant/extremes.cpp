@@ -1,8 +1,8 @@
 // The table of the section "At every instant": extremes over all of the motion, beside those of the samples.
 #include <core/analysis/columns.hpp>
 #include <core/text/units.hpp>
-#include <reports/section/common/brackets.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/brackets.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/every_instant/every_instant.hpp>
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // The evidence of the section "At every instant".
 #include <core/analysis/proof/recording_check.hpp>
-#include <reports/section/common/demands.hpp>
-#include <reports/section/common/motion_words.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/demands.hpp>
+#include <reports/section/common/words/motion_words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/every_instant/every_instant.hpp>
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 #include <reports/section/front/front.hpp>
 
-#include <reports/section/common/limits.hpp>
-#include <reports/section/common/motion_words.hpp>
-#include <reports/section/common/remarks.hpp>
-#include <reports/section/common/singular_words.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/limits.hpp>
+#include <reports/section/common/words/motion_words.hpp>
+#include <reports/section/common/words/remarks.hpp>
+#include <reports/section/common/words/singular_words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/front/key_numbers.hpp>
 #include <reports/section/front/surprises.hpp>
 

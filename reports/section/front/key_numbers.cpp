@@ -5,8 +5,8 @@
 #include <core/mechanics/machine/joint_words.hpp>
 #include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/joint_motion.hpp>
-#include <reports/section/common/brackets.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/brackets.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/format.h>
 

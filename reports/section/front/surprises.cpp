@@ -2,7 +2,7 @@
 
 #include <core/analysis/study/reduce.hpp>
 #include <core/mechanics/model/effort.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // Section `mechanism`: what it is, its parameters, joints and bodies, and its mobility by count and by rank.
 #include <core/mechanics/machine/joint_words.hpp>
 #include <core/mechanics/mobility/mobility_count.hpp>
-#include <reports/section/common/remarks.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/remarks.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/mechanism/mechanism.hpp>
 
 #include <fmt/core.h>

@@ -5,7 +5,7 @@
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/model/random_poses.hpp>
 #include <core/mechanics/singularity/singularity.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/mobility/mobility.hpp>
 
 #include <fmt/core.h>

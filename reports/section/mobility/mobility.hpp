@@ -2,7 +2,7 @@
 #pragma once
 
 #include <core/mechanics/mobility/mobility.hpp>
-#include <reports/section/common/screw_words.hpp>
+#include <reports/section/common/words/screw_words.hpp>
 #include <reports/section/kind.hpp>
 
 namespace pmreport::section {

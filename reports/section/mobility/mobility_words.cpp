@@ -1,6 +1,6 @@
 #include <core/mechanics/machine/joint_words.hpp>
 #include <core/mechanics/mobility/mobility.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/mobility/mobility.hpp>
 
 #include <fmt/core.h>

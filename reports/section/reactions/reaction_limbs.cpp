@@ -1,7 +1,7 @@
 // What the limbs exert on the platform, and what a 6 x 6 formula takes them to exert, in words, tables and figures.
 #include <core/text/text.hpp>
 #include <reports/section/common/plots.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/reactions/reactions.hpp>
 
 #include <core/mechanics/mobility/mobility.hpp>

@@ -1,5 +1,5 @@
 // What each joint carries: the tables from which bearings and bolts are chosen.
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/reactions/reactions.hpp>
 
 #include <core/mechanics/machine/joint_words.hpp>

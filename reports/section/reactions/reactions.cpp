@@ -1,10 +1,10 @@
 // Section `reactions`: the wrench in every joint, and how far to trust it.
 #include <core/analysis/stiffness/request.hpp>
 #include <reports/figure/palette.hpp>
-#include <reports/section/common/limits.hpp>
 #include <reports/section/common/plots.hpp>
-#include <reports/section/common/singular_words.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/limits.hpp>
+#include <reports/section/common/words/singular_words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/dynamics/dynamics.hpp>
 #include <reports/section/mobility/mobility.hpp>
 #include <reports/section/reactions/reactions.hpp>

@@ -1,8 +1,8 @@
 // Section `singularity`: how far the motion stays from a loss of control, where it is lost, of which type, and how the platform escapes.
-#include <reports/section/common/brackets.hpp>
 #include <reports/section/common/plots.hpp>
-#include <reports/section/common/singular_words.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/brackets.hpp>
+#include <reports/section/common/words/singular_words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/singularity/singularity.hpp>
 
 #include <fmt/format.h>

@@ -4,8 +4,8 @@
 #include <core/analysis/study/singular_margins.hpp>
 #include <core/mechanics/singularity/singularity.hpp>
 #include <reports/section/common/pose_map.hpp>
-#include <reports/section/common/screw_words.hpp>
 #include <reports/section/common/stage.hpp>
+#include <reports/section/common/words/screw_words.hpp>
 #include <reports/section/kind.hpp>
 
 #include <optional>

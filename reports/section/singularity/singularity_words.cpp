@@ -1,4 +1,4 @@
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/singularity/singularity.hpp>
 
 #include <fmt/core.h>

@@ -1,5 +1,5 @@
 // Section `snapshots`.
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/snapshots/snapshots.hpp>
 
 #include <fmt/core.h>

@@ -1,6 +1,6 @@
 // Section `speed`: how much faster the motion could run, and what stops it.
-#include <reports/section/common/limits.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/limits.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/speed/speed.hpp>
 
 #include <fmt/core.h>

@@ -3,7 +3,7 @@
 
 #include <reports/figure/palette.hpp>
 #include <reports/section/common/force_plots.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/core.h>
 

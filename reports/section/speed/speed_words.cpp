@@ -1,5 +1,5 @@
 #include <reports/section/common/force_plots.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/speed/speed.hpp>
 
 #include <fmt/core.h>

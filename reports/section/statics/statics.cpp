@@ -1,7 +1,7 @@
 // Section `statics`.
 #include <reports/section/common/plots.hpp>
-#include <reports/section/common/singular_words.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/singular_words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/statics/statics.hpp>
 
 #include <fmt/core.h>

@@ -1,6 +1,6 @@
 // Elasticity along the motion: figures, and the extremes.
 #include <reports/section/common/plots.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/stiffness/stiffness.hpp>
 
 #include <core/analysis/columns.hpp>

@@ -1,5 +1,5 @@
 // What gives way: the table of elements, and what is left rigid.
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/stiffness/stiffness.hpp>
 
 #include <core/mechanics/machine/limb_line.hpp>

@@ -1,5 +1,5 @@
 // Indices over two coordinates.
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/stiffness/stiffness.hpp>
 
 #include <core/analysis/columns.hpp>

@@ -1,5 +1,5 @@
 // A natural vibration, drawn: every body at the end of its swing.
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/stiffness/stiffness.hpp>
 
 #include <core/mechanics/stiffness/whole_system.hpp>

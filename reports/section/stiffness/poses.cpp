@@ -1,5 +1,5 @@
 // Poses looked at closely: matrices, indices, budget, screws, modes, and what beams carry.
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/stiffness/stiffness.hpp>
 
 #include <core/text/text.hpp>

@@ -1,6 +1,6 @@
 // Section `stiffness`: how far the platform gives way, and why.
 #include <reports/section/common/plots.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/stiffness/stiffness.hpp>
 
 #include <core/analysis/columns.hpp>

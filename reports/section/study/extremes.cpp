@@ -1,6 +1,6 @@
 #include <reports/section/study/extremes.hpp>
 
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/format.h>
 

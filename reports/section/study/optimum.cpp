@@ -1,7 +1,7 @@
 // The best variant within bounds and constraints.
 #include <reports/section/study/study.hpp>
 
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/study/trial_data.hpp>
 
 #include <core/text/text.hpp>

@@ -1,7 +1,7 @@
 // The best variants between two goals.
 #include <reports/section/study/study.hpp>
 
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/study/trial_data.hpp>
 
 #include <core/text/text.hpp>

@@ -1,7 +1,7 @@
 // Section `study`: machines with other parameters, or other machines, beside one another.
 #include <reports/section/study/study.hpp>
 
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/study/words.hpp>
 
 #include <fmt/format.h>

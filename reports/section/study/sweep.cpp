@@ -1,7 +1,7 @@
 // A study over one or two parameters.
 #include <reports/section/study/study.hpp>
 
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/study/extremes.hpp>
 #include <reports/section/study/words.hpp>
 

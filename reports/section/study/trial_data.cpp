@@ -1,6 +1,6 @@
 #include <reports/section/study/trial_data.hpp>
 
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/study/words.hpp>
 
 #include <fmt/format.h>

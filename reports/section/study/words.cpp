@@ -1,7 +1,7 @@
 #include <reports/section/study/words.hpp>
 
-#include <reports/section/common/brackets.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/brackets.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <core/text/text.hpp>
 

@@ -1,6 +1,6 @@
 // Indices along the motion.
 #include <reports/section/common/plots.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/transmission/transmission.hpp>
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // Indices at given poses, over a map and over a grid.
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/transmission/transmission.hpp>
 
 #include <core/text/text.hpp>

@@ -1,5 +1,5 @@
 // What the indices are, by whom, where they are taken on this mechanism, and what they do not say.
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/transmission/transmission.hpp>
 
 #include <core/text/text.hpp>

@@ -1,5 +1,5 @@
 // That the numbers are right, shown by ways that share little with them.
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/transmission/transmission.hpp>
 
 #include <core/mechanics/displacement/displacement.hpp>

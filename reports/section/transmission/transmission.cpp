@@ -1,7 +1,7 @@
 #include <reports/section/transmission/transmission.hpp>
 
 #include <reports/section/common/plots.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // Section `velocity`.
 #include <reports/section/common/kinematic_plots.hpp>
-#include <reports/section/common/noise.hpp>
-#include <reports/section/common/singular_words.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/noise.hpp>
+#include <reports/section/common/words/singular_words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/velocity/velocity.hpp>
 
 #include <fmt/core.h>

@@ -9,7 +9,7 @@
 #include <core/analysis/workspace/scan_of.hpp>
 #include <core/text/text.hpp>
 #include <reports/section/common/stage.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/format.h>
 

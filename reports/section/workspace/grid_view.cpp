@@ -1,7 +1,7 @@
 #include <reports/section/workspace/grid_view.hpp>
 
 #include <core/text/units.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <algorithm>
 #include <cmath>

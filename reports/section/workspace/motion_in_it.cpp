@@ -1,7 +1,7 @@
 #include <reports/section/workspace/motion_in_it.hpp>
 
 #include <core/text/units.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include <core/text/units.hpp>
 #include <reports/figure/colour_scale.hpp>
 #include <reports/figure/contour.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/workspace/grid_view.hpp>
 #include <reports/section/workspace/slice.hpp>
 

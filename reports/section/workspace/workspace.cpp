@@ -2,7 +2,7 @@
 
 #include <core/analysis/workspace/answers.hpp>
 #include <core/text/text.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/workspace/motion_in_it.hpp>
 
 #include <fmt/format.h>

@@ -3,8 +3,8 @@
 
 #include <core/analysis/workspace/answers.hpp>
 #include <core/text/text.hpp>
-#include <reports/section/common/brackets.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/brackets.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <reports/section/checks.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/displacement/prescribed.hpp>
 #include <tests/mechanics/slider_crank.hpp>
 #include <tests/scenario/trial.hpp>

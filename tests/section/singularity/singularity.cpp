@@ -2,8 +2,8 @@
 // rail: with the leg across the rail, at x = 0, the sleigh is free.
 #include <catch2/catch.hpp>
 
-#include <reports/section/common/singular_words.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/singular_words.hpp>
+#include <reports/section/common/words/words.hpp>
 #include <reports/section/kinds.hpp>
 #include <reports/section/mobility/mobility.hpp>
 #include <reports/section/singularity/singularity.hpp>

@@ -1,7 +1,7 @@
 // What Boxes do for one block of boxes: instructions on registers, each a stretch of ends for all boxes of the block.
 #pragma once
 
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 #include <core/program/program.hpp>
 
 #include <cstddef>

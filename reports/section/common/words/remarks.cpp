@@ -1,5 +1,5 @@
 #include <core/mechanics/conformance/plausibility.hpp>
-#include <reports/section/common/remarks.hpp>
+#include <reports/section/common/words/remarks.hpp>
 
 #include <utility>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <core/program/interval.hpp>
+#include <core/program/intervals/interval.hpp>
 #include <pmreport/lanes.hpp>
 
 namespace pmreport::program {

@@ -1,8 +1,8 @@
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <core/text/digits.hpp>
 #include <core/text/text.hpp>
-#include <reports/section/common/noise.hpp>
+#include <reports/section/common/words/noise.hpp>
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
-#include <reports/section/common/singular_words.hpp>
+#include <reports/section/common/words/singular_words.hpp>
 
 #include <core/text/text.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/core.h>
 

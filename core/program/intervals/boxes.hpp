@@ -1,7 +1,7 @@
 // A program on intervals, many boxes at a time.
 #pragma once
 
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 #include <core/program/program.hpp>
 
 #include <memory>

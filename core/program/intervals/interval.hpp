@@ -8,8 +8,8 @@
 // Rounding must go upward wherever one is computed: rounding.hpp says how.
 #pragma once
 
-#include <core/program/bounds.hpp>
-#include <core/program/interval_ends.hpp>
+#include <core/program/intervals/bounds.hpp>
+#include <core/program/intervals/interval_ends.hpp>
 #include <pmreport/scalar.hpp>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <core/program/boxes.hpp>
-#include <core/program/boxes_block.hpp>
-#include <core/program/rounding.hpp>
+#include <core/program/intervals/boxes.hpp>
+#include <core/program/intervals/boxes_block.hpp>
+#include <core/program/intervals/rounding.hpp>
 #include <vector>
 
 namespace pmreport::program {

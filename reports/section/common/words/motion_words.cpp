@@ -1,9 +1,9 @@
-#include <reports/section/common/motion_words.hpp>
+#include <reports/section/common/words/motion_words.hpp>
 
 #include <core/scenario/loaded.hpp>
 #include <core/text/text.hpp>
-#include <reports/section/common/demands.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/demands.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/core.h>
 

@@ -1,5 +1,5 @@
-#include <core/program/boxes_block.hpp>
-#include <core/program/interval.hpp>
+#include <core/program/intervals/boxes_block.hpp>
+#include <core/program/intervals/interval.hpp>
 
 // The same formulas, compiled for each level of the x86-64 psABI; the best that the processor has is taken when the program starts. With
 // all calls inside inlined, for no function of the standard library may stay behind that is compiled for one level and taken for another.

@@ -1,7 +1,7 @@
 // Numbers of which two bounds are known, with the digits that these allow.
 #pragma once
 
-#include <core/program/bounds.hpp>
+#include <core/program/intervals/bounds.hpp>
 
 #include <string>
 #include <string_view>

@@ -5,7 +5,7 @@
 // upward (rounding.hpp).
 #pragma once
 
-#include <core/program/interval_waves.hpp>
+#include <core/program/intervals/interval_waves.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#include <core/program/boxes_block.hpp>
-#include <core/program/interval_ends.hpp>
+#include <core/program/intervals/boxes_block.hpp>
+#include <core/program/intervals/interval_ends.hpp>
 
 namespace pmreport::program {
 

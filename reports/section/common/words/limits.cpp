@@ -1,6 +1,6 @@
-#include <reports/section/common/limits.hpp>
+#include <reports/section/common/words/limits.hpp>
 
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include <reports/section/common/noise.hpp>
+#include <reports/section/common/words/noise.hpp>
 
 #include <algorithm>
 #include <array>

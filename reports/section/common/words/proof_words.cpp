@@ -1,11 +1,11 @@
-#include <reports/section/common/proof_words.hpp>
+#include <reports/section/common/words/proof_words.hpp>
 
 #include <core/mechanics/machine/joint_words.hpp>
 #include <core/mechanics/model/joint_motion.hpp>
 #include <core/text/text.hpp>
-#include <reports/section/common/brackets.hpp>
-#include <reports/section/common/limits.hpp>
-#include <reports/section/common/words.hpp>
+#include <reports/section/common/words/brackets.hpp>
+#include <reports/section/common/words/limits.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/format.h>
 
