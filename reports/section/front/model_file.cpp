@@ -10,14 +10,16 @@ namespace {
 
 constexpr std::size_t most_keys = 240;  // a smooth motion needs no more, and the file stays small
 
-// Samples that have a pose, spread evenly where there are too many; the first and the last of them always. The format counts time from
-// zero: a motion that begins before is moved there.
+// The format counts time from zero: a motion that begins before is moved there.
+double begin_of(const Analysis& a) { return a.samples() > 0 ? std::min(0.0, a.time().front()) : 0; }
+
+// Samples that have a pose, spread evenly where there are too many; the first and the last of them always.
 std::vector<scene::Moment> moments_of(const Analysis& a) {
   std::vector<int> reached;
   for (int k = 0; k < a.samples(); ++k)
     if (a.outcome(k) != Outcome::unreachable) reached.push_back(k);
   std::vector<scene::Moment> out;
-  const double begin = a.samples() > 0 ? std::min(0.0, a.time().front()) : 0;
+  const double begin = begin_of(a);
   const std::size_t all = reached.size(), keys = std::min(all, most_keys);
   for (std::size_t i = 0; i < keys; ++i) {
     const int k = reached[keys > 1 ? i * (all - 1) / (keys - 1) : 0];
@@ -32,7 +34,8 @@ std::vector<scene::Moment> moments_of(const Analysis& a) {
 }  // namespace
 
 document::File model_file(const Analysis& a) {
-  const scene::Model model = scene::model_of(a.machine(), moments_of(a));
+  scene::Model model = scene::model_of(a.machine(), moments_of(a));
+  model.begin = begin_of(a);
   const bool animated = !model.tracks.empty();
   return {"data/model.glb",
           animated ? "the machine as a 3D model, with the motion as animation (glTF 2.0)" : "the machine as a 3D model (glTF 2.0)",
