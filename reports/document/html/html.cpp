@@ -1,10 +1,12 @@
-// The frame of report.html: head, title, contents, verdict, checks, sections, scenario, provenance.
+// The frame of report.html: head, title, contents, verdict, sections, checks, scenario, files, and the provenance as a colophon.
 #include <fmt/format.h>
 #include <reports/document/write.hpp>
 
 #include <algorithm>
 #include <reports/document/finding.hpp>
+#include <reports/document/html/frame.hpp>
 #include <reports/document/html/html_page.hpp>
+#include <reports/document/html/html_view.hpp>
 #include <reports/document/tally.hpp>
 #include <reports/document/text.hpp>
 
@@ -15,9 +17,13 @@ namespace {
 void write_contents(Page& page) {
   HtmlWriter& html = page.html;
   const Report& r = page.report;
-  const auto item = [&](const std::string& anchor, const std::string& title, const Tally& tally) {
+  const Numbering& n = page.numbering;
+  const auto item = [&](const std::string& anchor, const std::string& number, const std::string& title, const Tally& tally) {
     html.element("li", [&] {
-      html.element("a", {{"href", "#" + anchor}}, title);
+      html.element("a", {{"href", "#" + anchor}}, [&] {
+        write_number(page, number);
+        html.text(title);
+      });
       if (tally.failed() > 0)
         html.element("span", {{"class", "failed"}, {"title", counted(tally, {Verdict::failed, Verdict::error})}}, " ✗");
     });
@@ -25,12 +31,13 @@ void write_contents(Page& page) {
   html.element("nav", {{"id", "contents"}, {"aria-label", "Contents"}}, [&] {
     html.element("p", {{"class", "label"}}, "Contents");
     html.element("ol", [&] {
-      item("summary", "Summary", {});
-      if (!r.checks.empty()) item("checks", "Checks", tally_checks(r));
-      for (std::size_t s = 0; s < r.sections.size(); ++s) item(page.names.sections[s], r.sections[s].title, tally_evidence(r.sections[s]));
-      if (!r.files.empty()) item("files", "Files", {});
-      item("scenario", "Scenario", {});
-      item("provenance", "Provenance", {});
+      item("summary", "", "Summary", {});
+      for (std::size_t s = 0; s < r.sections.size(); ++s)
+        item(page.names.sections[s], n.sections[s], r.sections[s].title, tally_evidence(r.sections[s]));
+      if (!r.checks.empty()) item("checks", n.checks, "Checks", tally_checks(r));
+      item("scenario", n.scenario, "Scenario", {});
+      if (!r.files.empty()) item("files", n.files, "Files", {});
+      item("provenance", "", "Provenance", {});
     });
   });
 }
@@ -55,11 +62,18 @@ void write_header(Page& page) {
   });
 }
 
+void write_title(Page& page, const std::string& number, const std::string& title) {
+  page.html.element("h2", [&] {
+    write_number(page, number);
+    page.html.text(title);
+  });
+}
+
 void write_checks(Page& page) {
   HtmlWriter& html = page.html;
   if (page.report.checks.empty()) return;
   html.element("section", {{"id", "checks"}}, [&] {
-    html.element("h2", "Checks");
+    write_title(page, page.numbering.checks, "Checks");
     write_scroll_box(page, "Checks", [&] {
       html.element("table", {{"class", "proof"}}, [&] {
         html.element("caption", "What the scenario demands of the results");
@@ -100,7 +114,7 @@ void write_files(Page& page) {
   const std::vector<File>& files = page.report.files;
   if (files.empty()) return;
   html.element("section", {{"id", "files"}}, [&] {
-    html.element("h2", "Files");
+    write_title(page, page.numbering.files, "Files");
     write_scroll_box(page, "Files", [&] {
       html.element("table", [&] {
         html.element("caption", "To be used by other programs");
@@ -131,7 +145,7 @@ void write_scenario(Page& page) {
   HtmlWriter& html = page.html;
   const std::string text = page.report.scenario_text;
   html.element("section", {{"id", "scenario"}}, [&] {
-    html.element("h2", "Scenario");
+    write_title(page, page.numbering.scenario, "Scenario");
     html.element("details", [&] {
       html.element("summary", "The script that this report answers: " + page.report.provenance.scenario_name);
       html.element("pre", [&] {
@@ -172,36 +186,29 @@ void write_provenance(Page& page) {
 std::string to_html(const Report& r, const Names& names, const std::vector<std::string>& drawings) {
   Page page{r, names, drawings};
   HtmlWriter& html = page.html;
-  html.markup("<!DOCTYPE html>\n");
-  html.element("html", {{"lang", "en"}}, [&] {
-    html.element("head", [&] {
-      html.open("meta", {{"charset", "utf-8"}});
-      html.open("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
-      html.open("meta", {{"name", "generator"}, {"content", r.provenance.program + " " + r.provenance.version}});
-      html.element("title", r.title);
-      html.element("style", [&] {
-        html.markup(html_style);
-        html.markup(html_theme);
-      });
+  const std::string maker = r.provenance.program + " " + r.provenance.version;
+  write_frame(html, r.title, maker, {html_style, html_theme, html_view_style}, [&] {
+    write_contents(page);
+    html.element("main", [&] {
+      write_header(page);
+      write_front(page);
+      write_view(page);
+      for (std::size_t s = 0; s < r.sections.size(); ++s) {
+        const Section& section = r.sections[s];
+        html.element("section", {{"id", names.sections[s]}}, [&] {
+          write_title(page, page.numbering.sections[s], section.title);
+          for (std::size_t b = 0; b < section.blocks.size(); ++b)
+            write_block(page, section, section.blocks[b], page.numbering.blocks[s][b]);
+        });
+      }
+      write_checks(page);
+      write_scenario(page);
+      write_files(page);
+      write_provenance(page);
     });
-    html.element("body", [&] {
-      write_contents(page);
-      html.element("main", [&] {
-        write_header(page);
-        write_front(page);
-        write_checks(page);
-        for (std::size_t s = 0; s < r.sections.size(); ++s) {
-          const Section& section = r.sections[s];
-          html.element("section", {{"id", names.sections[s]}}, [&] {
-            html.element("h2", section.title);
-            for (const Block& block : section.blocks) write_block(page, section, block);
-          });
-        }
-        write_files(page);
-        write_scenario(page);
-        write_provenance(page);
-      });
-      html.element("script", {{"type", "module"}}, [&] { html.markup(html_script); });
+    html.element("script", {{"type", "module"}}, [&] {
+      html.markup("const liveModel = " + (r.live.empty() ? "null" : r.live) + ";\n");
+      html.markup(html_script);
     });
   });
   return html.take();

@@ -19,12 +19,18 @@ void write_heading(Page& page, const char* scope, const char* side, const std::s
     page.html.element("th", {{"scope", scope}, {"class", side}}, text);
 }
 
-void write_table(Page& page, const Table& table) {
+// "Table 3. caption", the number as the PDF has it; without one the caption alone.
+void write_caption(Page& page, const char* kind, int number, const std::string& caption) {
+  if (number > 0) page.html.element("strong", fmt::format("{} {}.", kind, number));
+  if (!caption.empty()) page.html.text((number > 0 ? " " : "") + caption);
+}
+
+void write_table(Page& page, const Table& table, int number) {
   HtmlWriter& html = page.html;
   const auto side = [&](std::size_t column) { return column < table.numeric.size() && table.numeric[column] ? "number" : "words"; };
   write_scroll_box(page, table.caption, [&] {
     html.element("table", [&] {
-      if (!table.caption.empty()) html.element("caption", table.caption);
+      if (number > 0 || !table.caption.empty()) html.element("caption", [&] { write_caption(page, "Table", number, table.caption); });
       html.element("thead", [&] {
         html.element("tr", [&] {
           for (std::size_t c = 0; c < table.headings.size(); ++c) {
@@ -65,7 +71,7 @@ void write_words(Page& page, const figure::Figure& figure) {
   });
 }
 
-void write_figure(Page& page, const figure::Figure& figure) {
+void write_figure(Page& page, const figure::Figure& figure, int number) {
   HtmlWriter& html = page.html;
   const std::string& name = page.names.figures[page.figure];
   const std::string data = data_file(page.report, page.names, figure);
@@ -78,8 +84,7 @@ void write_figure(Page& page, const figure::Figure& figure) {
     if (const std::string series = series_data(figure); !series.empty())
       html.element("script", {{"type", "application/json"}}, [&] { html.markup(series); });
     html.element("figcaption", [&] {
-      html.element("strong", "Figure " + std::to_string(page.figure + 1) + ".");
-      html.text(" " + figure.caption + " ");
+      write_caption(page, "Figure", number, figure.caption + " ");
       html.element("span", {{"class", "files"}}, [&] {
         html.element("a", {{"href", "figures/" + name + ".pdf"}}, "PDF");
         html.text(" · ");
@@ -95,15 +100,21 @@ void write_figure(Page& page, const figure::Figure& figure) {
 }
 
 // As wide as they are shown on a screen of two pixels a point; the file beside the report has all.
-constexpr int alone = 1200, beside_others = 860;  // [px]
+constexpr int alone = 1000, beside_others = 860;  // [px]
 
-void write_gallery(Page& page, const Gallery& gallery) {
+void write_gallery(Page& page, const Gallery& gallery, int number) {
+  if (gallery.pictures.empty()) return;
   HtmlWriter& html = page.html;
-  html.element("figure", {{"class", gallery.pictures.size() == 1 ? "gallery single" : "gallery"}}, [&] {
+  const bool single = gallery.pictures.size() == 1, has_caption = !single || !gallery.caption.empty();
+  html.element("figure", {{"class", single ? "gallery single" : "gallery"}}, [&] {
     html.element("div", {{"class", "pictures"}}, [&] {
-      for (const Picture& picture : gallery.pictures) write_picture(page, picture, gallery.pictures.size() == 1 ? alone : beside_others);
+      for (std::size_t i = 0; i < gallery.pictures.size(); ++i)
+        write_picture(page, gallery.pictures[i], single ? alone : beside_others,
+                      !single       ? letter_of(i)
+                      : has_caption ? ""
+                                    : fmt::format("Figure {}.", number));
     });
-    if (!gallery.caption.empty()) html.element("figcaption", gallery.caption);
+    if (has_caption) html.element("figcaption", [&] { write_caption(page, "Figure", number, gallery.caption); });
   });
 }
 
@@ -140,17 +151,30 @@ void write_proof(Page& page, const Section& section, const Proof& proof) {
 
 }  // namespace
 
-void write_picture(Page& page, const Picture& picture, int most_pixels) {
+void write_picture(Page& page, const Picture& picture, int most_pixels, const std::string& label) {
   HtmlWriter& html = page.html;
-  const std::string file = "snapshots/" + page.names.pictures[page.picture] + ".png";
+  const std::string stem = "snapshots/" + page.names.pictures[page.picture];
   html.element("figure", [&] {
-    html.open("img", {{"src", "data:image/png;base64," + base64(narrowed(picture.png, most_pixels))},
-                      {"alt", picture.caption},
-                      {"width", std::to_string(picture.width)},
-                      {"height", std::to_string(picture.height)}});
+    if (picture.as_lines)
+      html.element("div", {{"class", "lines"}, {"role", "img"}, {"aria-label", picture.caption}},
+                   [&] { html.markup(inline_svg(picture.svg)); });
+    else
+      html.open("img", {{"src", "data:image/png;base64," + base64(narrowed(picture.png, most_pixels))},
+                        {"alt", picture.caption},
+                        {"width", std::to_string(picture.width)},
+                        {"height", std::to_string(picture.height)}});
     html.element("figcaption", [&] {
-      html.text(picture.caption + " ");
-      html.element("span", {{"class", "files"}}, [&] { html.element("a", {{"href", file}}, "PNG"); });
+      if (!label.empty()) html.element("strong", label);
+      html.text((label.empty() ? "" : " ") + picture.caption + " ");
+      html.element("span", {{"class", "files"}}, [&] {
+        if (page.names.drawn[page.picture]) {
+          html.element("a", {{"href", stem + ".pdf"}}, "PDF");
+          html.text(" · ");
+          html.element("a", {{"href", stem + ".svg"}}, "SVG");
+          html.text(" · ");
+        }
+        html.element("a", {{"href", stem + ".png"}}, "PNG");
+      });
     });
   });
   ++page.picture;
@@ -190,16 +214,23 @@ void write_result(Page& page, Verdict verdict) {
   }
 }
 
-void write_block(Page& page, const Section& section, const Block& block) {
+void write_number(Page& page, const std::string& number) {
+  if (number.empty()) return;
+  page.html.element("span", {{"class", "section-number"}}, number);
+  page.html.text(" ");
+}
+
+void write_block(Page& page, const Section& section, const Block& block, int number) {
   struct {
     Page& page;
     const Section& section;
+    int number;
     void operator()(const Paragraph& paragraph) const { write_paragraph(page, paragraph); }
-    void operator()(const Table& table) const { write_table(page, table); }
-    void operator()(const figure::Figure& figure) const { write_figure(page, figure); }
-    void operator()(const Gallery& gallery) const { write_gallery(page, gallery); }
+    void operator()(const Table& table) const { write_table(page, table, number); }
+    void operator()(const figure::Figure& figure) const { write_figure(page, figure, number); }
+    void operator()(const Gallery& gallery) const { write_gallery(page, gallery, number); }
     void operator()(const Proof& proof) const { write_proof(page, section, proof); }
-  } const writer{page, section};
+  } const writer{page, section, number};
   std::visit(writer, block);
 }
 

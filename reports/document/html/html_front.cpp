@@ -137,9 +137,9 @@ void write_findings(Page& page) {
         }
         html.text(f.text + " ");
         if (const std::string anchor = anchor_of(page, f.section); !anchor.empty())
-          for (const Section& s : page.report.sections)
-            if (s.id == f.section) {
-              html.element("a", {{"href", "#" + anchor}}, s.title);
+          for (std::size_t s = 0; s < page.report.sections.size(); ++s)
+            if (page.report.sections[s].id == f.section) {
+              html.element("a", {{"href", "#" + anchor}}, page.numbering.sections[s] + " " + page.report.sections[s].title);
               break;
             }
       });

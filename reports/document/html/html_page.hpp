@@ -3,6 +3,7 @@
 
 #include <reports/document/html/html_writer.hpp>
 #include <reports/document/names.hpp>
+#include <reports/document/numbering.hpp>
 #include <reports/document/write.hpp>
 
 namespace pmreport::document {
@@ -11,13 +12,17 @@ struct Page {
   const Report& report;
   const Names& names;
   const std::vector<std::string>& drawings;  // SVG of each figure, in order
+  const Numbering numbering = numbering_of(report);
   HtmlWriter html = {};
   std::size_t figure = 0, picture = 0;  // how many are written
 };
 
-void write_block(Page& page, const Section& section, const Block& block);
+// `number`: the block's among figures or tables; 0: it has none.
+void write_block(Page& page, const Section& section, const Block& block, int number);
+void write_number(Page& page, const std::string& number);  // before a heading that has one
 void write_paragraph(Page& page, const Paragraph& paragraph);
-void write_picture(Page& page, const Picture& picture, int most_pixels);  // in width; the file beside the report has all
+void write_picture(Page& page, const Picture& picture, int most_pixels,
+                   const std::string& label = {});  // in width; the file beside the report has all
 void write_front(Page& page);
 
 // The box in which a wide thing moves sideways on a narrow screen; the keyboard reaches it too.

@@ -19,6 +19,7 @@ p { max-width: 42rem; margin: .6rem 0; text-wrap: pretty; }
 h1, h2 { line-height: 1.2; letter-spacing: -.01em; text-wrap: balance; overflow-wrap: break-word; }
 h1 { font-size: 2rem; font-weight: 650; margin: 0 0 .4rem; }
 h2 { font-size: 1.4rem; font-weight: 650; margin: 0 0 1rem; }
+.section-number { color: var(--quiet); font-weight: 450; font-variant-numeric: tabular-nums; margin-right: .3em; }
 header p { margin: .15rem 0; color: var(--quiet); }
 header .mechanism { color: var(--ink); font-size: 1.1rem; }
 header .description { color: var(--ink); margin: .8rem 0; white-space: pre-line; }
@@ -88,7 +89,7 @@ figure { margin: 1.8rem 0; }
 figcaption { color: var(--quiet); font-size: .9rem; line-height: 1.45; margin-top: .5rem; max-width: 46rem; }
 figcaption strong { color: var(--ink); font-weight: 600; }
 .files { white-space: nowrap; }
-.plot svg, .gallery img { display: block; width: 100%; height: auto; }
+.plot svg, .gallery img, .gallery .lines svg { display: block; width: 100%; height: auto; }
 .plot.full svg { min-width: 38rem; }
 .plot.column { max-width: 30rem; } .plot.column svg { min-width: 18rem; }
 .pictures { display: grid; gap: 1.4rem; grid-template-columns: repeat(auto-fill, minmax(min(100%, 22rem), 1fr)); }
@@ -100,6 +101,7 @@ pre { counter-reset: line; background: var(--shade); padding: 1rem; overflow-x: 
 .line::before { counter-increment: line; content: counter(line); display: inline-block; width: 2.2rem; margin-right: 1.2rem; text-align: right; color: var(--quiet); }
 .line:target { background: #fff0b8; }
 dl { display: grid; grid-template-columns: max-content minmax(0, 1fr); gap: .3rem 1.6rem; margin: 0; font-size: .925rem; }
+#provenance { border-top: 1px solid var(--rule); padding-top: 1rem; font-size: .85rem; } #provenance h2 { font-size: 1rem; margin-bottom: .5rem; }
 dt { color: var(--quiet); } dd { margin: 0; overflow-wrap: anywhere; }
 
 @media screen and (max-width: 60rem) {

@@ -209,10 +209,9 @@ const clock = {
   },
 };
 
-function timeSlider(panels) {
-  const low = Math.min(...panels.map((panel) => panel.frame.xLow)), high = Math.max(...panels.map((panel) => panel.frame.xHigh));
+function timeSlider(low, high) {
   const slider = element("input", { type: "range", min: low, max: high, step: "any" });
-  const reading = element("output", {});
+  const reading = element("output", { "aria-live": "off" });  // the slider says it
   const follow = (time) => {
     const text = "t = " + shown(time, low, high) + " s";
     slider.value = time;
@@ -240,13 +239,21 @@ function playable(figure) {
   const box = element("div", { class: "controls" });
   const timed = panels.filter((panel) => panel.time);
   if (timed.length > 0) {
-    const slider = timeSlider(timed);
+    const slider = timeSlider(Math.min(...timed.map(({ frame }) => frame.xLow)), Math.max(...timed.map(({ frame }) => frame.xHigh)));
     box.append(slider.row);
+    // A figure out of sight waits until it comes into sight: a motion that plays moves what is seen of it.
+    let inSight = true, due = slider.low;
     const follow = (time) => {
+      due = time;
+      if (!inSight) return;
       slider.follow(time);
       for (const panel of timed) panel.move(time);
     };
     follow(slider.low);
+    new IntersectionObserver((entries) => {
+      inSight = entries[entries.length - 1].isIntersecting;
+      follow(due);
+    }, { rootMargin: "25%" }).observe(figure);
     clock.followers.push(follow);
     drawing.append(...timed.map((panel) => panel.cursor));
   }
@@ -298,6 +305,7 @@ function start() {
   stopWhereItScrolls();
   addEventListener("resize", stopWhereItScrolls);
   unfoldForPrint();
+  startView();
 }
 
 if (typeof document !== "undefined") start();

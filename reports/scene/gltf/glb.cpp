@@ -165,14 +165,28 @@ class Writer {
     return at->second;
   }
 
+  // Legs of one make differ in colour alone: their shape stands once.
+  struct Shape {
+    const Primitive* of;
+    int positions, normals, indices;  // accessors
+  };
+  Shape shape_of(const Primitive& p) {
+    for (const Shape& s : shapes_)
+      if (s.of->positions == p.positions && s.of->normals == p.normals && s.of->indices == p.indices) return s;
+    const int positions = buffer_.add(flat(p.positions), 3, of_vertices, true),
+              normals = buffer_.add(flat(p.normals), 3, of_vertices, false);
+    shapes_.push_back({&p, positions, normals, buffer_.add(p.indices, p.positions.size())});
+    return shapes_.back();
+  }
+
   void add_meshes() {
     for (const std::vector<Primitive>& mesh : model_.meshes) {
       Json primitives = Json::array();
       for (const Primitive& p : mesh) {
-        const int positions = buffer_.add(flat(p.positions), 3, of_vertices, true),
-                  normals = buffer_.add(flat(p.normals), 3, of_vertices, false), indices = buffer_.add(p.indices, p.positions.size());
-        primitives.push_back(
-            {{"attributes", {{"POSITION", positions}, {"NORMAL", normals}}}, {"indices", indices}, {"material", material_of(p.color)}});
+        const Shape s = shape_of(p);
+        primitives.push_back({{"attributes", {{"POSITION", s.positions}, {"NORMAL", s.normals}}},
+                              {"indices", s.indices},
+                              {"material", material_of(p.color)}});
       }
       meshes_.push_back({{"primitives", std::move(primitives)}});
     }
@@ -187,8 +201,10 @@ class Writer {
     Json root{{"name", model_.name}, {"rotation", list(Eigen::Vector4d(-half, 0, 0, half))}};
     if (!children.empty()) root["children"] = std::move(children);
     nodes_.push_back(std::move(root));
-    for (const ModelNode& n : model_.nodes) {
+    for (std::size_t k = 0; k < model_.nodes.size(); ++k) {
+      const ModelNode& n = model_.nodes[k];
       Json node{{"name", n.name}};
+      if (static_cast<int>(k) == model_.platform) node["extras"] = {{"platform", true}};
       if (n.mesh >= 0) node["mesh"] = n.mesh;
       node["translation"] = list(n.translation), node["rotation"] = list(n.rotation.coeffs());
       nodes_.push_back(std::move(node));
@@ -206,13 +222,16 @@ class Writer {
       add(track.node, "translation", buffer_.add(flat(track.translation), 3, of_keys, false));
       add(track.node, "rotation", buffer_.add(flat(track.rotation), 4, of_keys, false));
     }
-    animations_.push_back({{"name", "motion"}, {"channels", std::move(channels)}, {"samplers", std::move(samplers)}});
+    Json animation{{"name", "motion"}, {"channels", std::move(channels)}, {"samplers", std::move(samplers)}};
+    if (model_.begin != 0) animation["extras"] = {{"begin", model_.begin}};
+    animations_.push_back(std::move(animation));
   }
 
   const Model& model_;
   Buffer buffer_;
   Json meshes_ = Json::array(), materials_ = Json::array(), nodes_ = Json::array(), animations_ = Json::array();
   std::map<std::array<float, 4>, int> material_at_;
+  std::vector<Shape> shapes_;
 };
 
 }  // namespace

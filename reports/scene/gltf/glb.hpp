@@ -42,6 +42,8 @@ struct Model {
   std::vector<ModelNode> nodes;  // all children of one root, which turns z up into glTF's y up
   std::vector<float> times;      // [s], from zero or later, rising; of all tracks
   std::vector<ModelTrack> tracks;
+  int platform = -1;  // the node that carries the load, with the reference point at its origin; -1: none is known to. Kept as "extras"
+  double begin = 0;   // [s], of the motion whose times count from here; kept as "extras" where it is not zero
 };
 
 // One scene, one material a colour, one animation where there are tracks, between whose keys one goes linearly. The same bytes every time.

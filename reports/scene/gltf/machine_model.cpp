@@ -27,31 +27,13 @@ double snapped(double x, double step) { return std::round(x / step) * step + 0.0
 Vector3d snapped(const Vector3d& v, double step) { return {snapped(v.x(), step), snapped(v.y(), step), snapped(v.z(), step)}; }
 constexpr double direction_step = 0x1p-16;
 
-struct Axis {
-  int joint, k;
-};
-
-// An axis of a joint that is fixed in the slender body and well off its z axis: it tells how the body turns about z.
-std::optional<Axis> crosswise(const Machine& m, int body) {
-  const Topology& t = m.topology();
-  const Vector3d z = m.rotation(m.home_pose(), body).col(2);
-  for (int j = 0; j < static_cast<int>(t.joints.size()); ++j) {
-    const Joint& joint = t.joints[static_cast<std::size_t>(j)];
-    if ((joint.a != body && joint.b != body) || (joint.kind != JointKind::universal && joint.kind != JointKind::revolute)) continue;
-    const int k = joint.kind == JointKind::universal && joint.b == body ? 1 : 0;
-    constexpr double well_off = 0.5;
-    if (m.axis(m.home_pose(), j, k).cross(z).norm() > well_off) return Axis{j, k};
-  }
-  return {};
-}
-
 // The frame of one body, pose after pose.
 class Frame {
  public:
   Frame(const Machine& machine, int body) : machine_(machine), body_(body) {
     if (!machine.topology().bodies[static_cast<std::size_t>(body)].slender) return;
     slender_ = true;
-    guide_ = crosswise(machine, body);
+    guide_ = guide_of(machine, body);
     before_ = machine.rotation(machine.home_pose(), body);
   }
 
@@ -74,7 +56,7 @@ class Frame {
   const Machine& machine_;
   int body_;
   bool slender_ = false;
-  std::optional<Axis> guide_;
+  std::optional<Guide> guide_;
   Matrix3d before_ = Matrix3d::Identity();
 };
 
@@ -138,9 +120,23 @@ bool moves(const ModelTrack& track) {
 
 }  // namespace
 
+std::optional<Guide> guide_of(const Machine& m, int body) {
+  const Topology& t = m.topology();
+  const Vector3d z = m.rotation(m.home_pose(), body).col(2);
+  for (int j = 0; j < static_cast<int>(t.joints.size()); ++j) {
+    const Joint& joint = t.joints[static_cast<std::size_t>(j)];
+    if ((joint.a != body && joint.b != body) || (joint.kind != JointKind::universal && joint.kind != JointKind::revolute)) continue;
+    const int k = joint.kind == JointKind::universal && joint.b == body ? 1 : 0;
+    constexpr double well_off = 0.5;
+    if (m.axis(m.home_pose(), j, k).cross(z).norm() > well_off) return Guide{j, k};
+  }
+  return {};
+}
+
 Model model_of(const Machine& machine, const std::vector<Moment>& moments) {
   Model model;
   model.name = machine.info().title;
+  model.platform = machine.topology().platform;
   const Sizes sizes = measure(machine);
   const double step = step_of(sizes.overall);
   Scene home;

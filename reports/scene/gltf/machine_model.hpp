@@ -3,6 +3,7 @@
 
 #include <reports/scene/gltf/glb.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace pmreport::scene {
@@ -12,6 +13,12 @@ struct Moment {
   double time;
   mechanics::Pose pose;
 };
+
+// An axis of a joint that is fixed in the slender body and well off its z axis: it tells how the body turns about z.
+struct Guide {
+  int joint, k;
+};
+std::optional<Guide> guide_of(const mechanics::Machine& machine, int body);
 
 // One node a body, in the machine's order, with what is drawn of it at home; bodies that look alike share a mesh. The nodes stand as at the
 // first moment, without moments as at home; bodies that move between the moments, which rise in time, are animated. A body's frame is the

@@ -173,7 +173,7 @@ TEST_CASE("the first page has key numbers with bars, findings by their weight, a
   CHECK(html.find("limb 3 needs 812.4 mm") < html.rfind("1 does not."));
   CHECK(html.rfind("1 does not.") < html.find("0.82 at least"));
   CHECK(count(html, "1 does not.") == 2);  // beside the verdict too
-  CHECK(contains(html, "<a href=\"#displacement\">Displacement</a>"));
+  CHECK(contains(html, "<a href=\"#displacement\">1 Displacement</a>"));
   CHECK(contains(html, "Not asked of this report: dynamics and workspace."));
   CHECK(contains(html, "Bodies are rigid and keep their declared sizes."));
 }

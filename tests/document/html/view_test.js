@@ -1,0 +1,253 @@
+// The functions of view.js and view_controls.js that need no page, run by Node: node --test view_test.js
+const assert = require("node:assert/strict"), fs = require("node:fs"), path = require("node:path"), test = require("node:test"), vm = require("node:vm"), zlib = require("node:zlib");
+
+// As in the page: one script, whose parts see each other's names.
+const folder = path.join(__dirname, "../../../reports/document/html");
+vm.runInThisContext(["live.js", "view.js", "view_controls.js", "report.js"].map((name) => fs.readFileSync(path.join(folder, name), "utf8")).join("\n"));
+
+const near = (a, b, margin = 1e-9) => {
+  assert.equal(a.length, b.length);
+  a.forEach((value, k) => assert.ok(Math.abs(value - b[k]) <= margin, `${a} is not ${b}`));
+};
+
+// A unit cube from (0, 0, 0) to (1, 1, 1), its triangles counter-clockwise from outside.
+const cube = {
+  positions: [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) => [i & 1, (i >> 1) & 1, i >> 2]),
+  indices: [0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5],
+};
+
+// Two cubes: one stands, the other moves along x while it turns by 90° about z, at the keys 0, 1 and 3 s.
+function sampleFile() {
+  const accessors = [], bufferViews = [], pieces = [];
+  let size = 0;
+  const add = (numbers, type, kind, width) => {
+    const bytes = Buffer.from(new kind(numbers).buffer), padded = Buffer.concat([bytes, Buffer.alloc((4 - (bytes.length % 4)) % 4)]);
+    bufferViews.push({ buffer: 0, byteOffset: size, byteLength: bytes.length });
+    accessors.push({ bufferView: accessors.length, componentType: kind === Uint16Array ? 5123 : 5126, count: numbers.length / width, type });
+    pieces.push(padded);
+    size += padded.length;
+    return accessors.length - 1;
+  };
+  const half = Math.SQRT1_2;
+  const POSITION = add(cube.positions, "VEC3", Float32Array, 3), NORMAL = add(cube.positions, "VEC3", Float32Array, 3), indices = add(cube.indices, "SCALAR", Uint16Array, 1);
+  const input = add([0, 1, 3], "SCALAR", Float32Array, 1), moved = add([0, 0, 0, 2, 0, 0, 4, 0, 0], "VEC3", Float32Array, 3);
+  const rotated = add([0, 0, 0, 1, 0, 0, half, half, 0, 0, half, half], "VEC4", Float32Array, 4);
+  const sampler = (output) => ({ input, output, interpolation: "LINEAR" }), channel = (k, path) => ({ sampler: k, target: { node: 2, path } });
+  const json = {
+    asset: { version: "2.0" }, scene: 0, scenes: [{ nodes: [0] }],
+    nodes: [{ name: "machine", rotation: [-half, 0, 0, half], children: [1, 2] }, { name: "base", mesh: 0, translation: [0, 0, -1], rotation: [0, 0, 0, 1] },
+      { name: "Plattform ä", mesh: 0, translation: [0, 0, 0], rotation: [0, 0, 0, 1], extras: { platform: true } }],
+    meshes: [{ primitives: [{ attributes: { POSITION, NORMAL }, indices, material: 0 }] }],
+    materials: [{ pbrMetallicRoughness: { baseColorFactor: [0.1, 0.2, 0.3, 1] } }],
+    animations: [{ extras: { begin: -1 }, samplers: [sampler(moved), sampler(rotated)], channels: [channel(0, "translation"), channel(1, "rotation")] }],
+    accessors, bufferViews, buffers: [{ byteLength: size }],
+  };
+  let text = Buffer.from(JSON.stringify(json));
+  text = Buffer.concat([text, Buffer.alloc((4 - (text.length % 4)) % 4, " ")]);
+  const word = (...values) => Buffer.from(new Uint32Array(values).buffer);
+  return Buffer.concat([word(0x46546c67, 2, 12 + 8 + text.length + 8 + size, text.length, 0x4e4f534a), text, word(size, 0x004e4942), ...pieces]);
+}
+
+const bytesOf = (buffer) => buffer.buffer.slice(buffer.byteOffset, buffer.byteOffset + buffer.length);
+const sample = () => readModel(bytesOf(sampleFile()));
+
+test("a model comes out of the page as it was packed", async () => {
+  const file = sampleFile();
+  assert.deepEqual(Buffer.from(await unpacked(zlib.gzipSync(file).toString("base64"))), file);
+});
+
+test("a model is read: bodies in order, their meshes, colours, keys and what is marked", () => {
+  const model = sample();
+  assert.deepEqual(model.bodies.map(({ name }) => name), ["base", "Plattform ä"]);
+  assert.equal(model.platform, 1);
+  assert.equal(model.begin, -1);
+  assert.deepEqual([...model.times], [0, 1, 3]);
+  assert.equal(model.meshes.length, 1);
+  assert.deepEqual([...model.meshes[0][0].positions], cube.positions);
+  assert.deepEqual([...model.meshes[0][0].indices], cube.indices);
+  assert.deepEqual(model.meshes[0][0].colour, [0.1, 0.2, 0.3, 1]);
+});
+
+test("what is no model is refused", () => {
+  for (const bytes of [Buffer.alloc(0), Buffer.from("no model, but long enough to be read")]) assert.throws(() => readModel(bytesOf(bytes)), /glTF/);
+});
+
+test("bodies stand at their keys, half-way between them, and outside the motion as at its ends", () => {
+  const model = sample(), moving = (time) => posesAt(model, time)[1];
+  near(moving(-1).origin, [0, 0, 0]);
+  near(moving(0).origin, [2, 0, 0]);
+  near(moving(-0.5).origin, [1, 0, 0]);
+  near(moving(1).origin, [3, 0, 0]);
+  near(moving(2).origin, [4, 0, 0]);
+  near(moving(9).origin, [4, 0, 0]);
+  near(moving(-9).origin, [0, 0, 0]);
+  const c = Math.cos(Math.PI / 4);
+  near(moving(-0.5).rotation, [c, -c, 0, c, c, 0, 0, 0, 1], 1e-6);
+  near(moving(1).rotation, [0, -1, 0, 1, 0, 0, 0, 0, 1], 1e-6);
+  near(posesAt(model, 0.3)[0].origin, [0, 0, -1]);
+});
+
+test("keys are found by their times", () => {
+  assert.deepEqual(keyAt([0, 1, 3], 0), [0, 0]);
+  assert.deepEqual(keyAt([0, 1, 3], 1), [1, 0]);
+  assert.deepEqual(keyAt([0, 1, 3], 2.5), [1, 0.75]);
+  assert.deepEqual(keyAt([0, 1, 3], 3), [2, 0]);
+  assert.deepEqual(keyAt([0, 1, 3], NaN), [0, 0]);
+  assert.deepEqual(keyAt([5], 7), [0, 0]);
+});
+
+test("a turn goes evenly and the short way, whichever sign its quaternions have", () => {
+  const about = (angle) => [0, Math.sin(angle / 2), 0, Math.cos(angle / 2)];
+  near(turned(about(0.2), about(1.4), 0.25), about(0.5));
+  near(turned(about(0.2), about(1.4).map((v) => -v), 0.25).map((v) => Math.abs(v)), about(0.5).map((v) => Math.abs(v)));
+  near(turned(about(1), about(1 + 1e-7), 0.5), about(1 + 5e-8), 1e-12);
+  near(rotationOf(about(0.3)), [Math.cos(0.3), 0, Math.sin(0.3), 0, 1, 0, -Math.sin(0.3), 0, Math.cos(0.3)]);
+});
+
+test("a ray meets the body that is nearest to the viewer, where its surface is", () => {
+  const model = sample(), poses = posesAt(model, -1);
+  const down = pick(model, poses, [0.4, 0.3, 10], [0, 0, -1]);
+  assert.equal(down.body, 1);
+  near(down.point, [0.4, 0.3, 1]);
+  assert.equal(pick(model, poses, [0.4, 0.3, -10], [0, 0, 1]).body, 0);
+  assert.equal(pick(model, poses, [5, 0.3, 10], [0, 0, -1]), null);
+  near(pick(model, posesAt(model, 2), [3.5, 0.5, 10], [0, 0, -1]).point, [3.5, 0.5, 1], 1e-6);  // turned by 90° about (4, 0)
+  assert.equal(pick(model, posesAt(model, 2), [4.5, 0.5, 10], [0, 0, -1]), null);
+});
+
+test("a line meets a triangle from outside alone", () => {
+  const [a, b, c] = [[0, 0, 0], [1, 0, 0], [0, 1, 0]];
+  assert.equal(meets([0.2, 0.2, 5], [0, 0, -1], a, b, c), 5);
+  assert.equal(meets([0.2, 0.2, -5], [0, 0, 1], a, b, c), null);
+  assert.equal(meets([0.8, 0.8, 5], [0, 0, -1], a, b, c), null);
+  assert.equal(meets([0.2, 0.2, 5], [1, 0, 0], a, b, c), null);
+});
+
+test("the camera's axes are right, up and towards the viewer, as in the pictures", () => {
+  for (const [azimuth, elevation] of [[0, 0], [0.7, 0.4], [-2, 1.5], [3, -0.6]]) {
+    const { right, up, towards } = axesOf({ azimuth, elevation });
+    for (const [a, b] of [[right, up], [up, towards], [towards, right]]) assert.ok(Math.abs(dot(a, b)) < 1e-12);
+    near(cross(right, up), towards);
+    assert.equal(right[2], 0);
+  }
+  near(axesOf({ azimuth: 0, elevation: 0 }).towards, [0, -1, 0]);
+  near(axesOf({ azimuth: Math.PI / 2, elevation: 0 }).towards, [1, 0, 0]);
+  near(axesOf({ azimuth: 0, elevation: Math.PI / 2 }).towards, [0, 0, 1]);
+  const isometric = axesOf({ azimuth: standpoints.Isometric[0], elevation: standpoints.Isometric[1] });
+  near(isometric.towards, [Math.sqrt(1 / 3), -Math.sqrt(1 / 3), Math.sqrt(1 / 3)]);
+});
+
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [2 * (i & 1), (i >> 1) & 1, 3 * (i >> 2)]);
+
+test("the first view holds all points within its margin, in wide pictures and in narrow ones", () => {
+  for (const [width, height] of [[900, 500], [390, 390], [300, 800]])
+    for (const place of Object.values(standpoints)) {
+      const camera = framing(corners, place, width / height), all = corners.map((p) => seen(camera, p, width, height));
+      const [x, y] = [0, 1].map((k) => all.map((p) => p[k]));
+      assert.ok(Math.min(...x) >= 0.05 * width && Math.max(...x) <= 0.95 * width && Math.min(...y) >= 0.05 * height && Math.max(...y) <= 0.95 * height);
+      assert.ok(Math.max(...x) - Math.min(...x) > 0.87 * width || Math.max(...y) - Math.min(...y) > 0.87 * height);
+    }
+});
+
+test("a place of the picture is found again in space, and what is moved by pixels moves by pixels", () => {
+  const camera = framing(corners, standpoints.Isometric, 1.5), [width, height] = [600, 400];
+  near(seen(camera, pointed(camera, 123, 77, width, height), width, height), [123, 77]);
+  const from = [0.3, -0.2, 1.1], to = shifted(camera, from, 31, -12, height), [a, b] = [from, to].map((p) => seen(camera, p, width, height));
+  near([b[0] - a[0], b[1] - a[1]], [31, -12]);
+  assert.ok(Math.abs(dot(axesOf(camera).towards, less(to, from))) < 1e-12);
+});
+
+test("zooming keeps what stands under the pointer, and ends in time", () => {
+  const home = framing(corners, standpoints.Isometric, 1.5), point = pointed(home, 100, 50, 600, 400);
+  const closer = zoomed(home, 2, 100, 50, 600, 400, home);
+  assert.equal(closer.height, home.height / 2);
+  near(seen(closer, point, 600, 400), [100, 50]);
+  assert.equal(zoomed(home, 1e9, 0, 0, 600, 400, home).height, home.height / 40);
+  assert.equal(zoomed(home, 1e-9, 0, 0, 600, 400, home).height, home.height * 4);
+});
+
+test("turning stops straight above and straight below", () => {
+  assert.equal(orbited({ azimuth: 1, elevation: 1.5 }, 0.2, 1).elevation, Math.PI / 2);
+  assert.equal(orbited({ azimuth: 1, elevation: 0 }, 0.2, -9).elevation, -Math.PI / 2);
+  assert.equal(orbited({ azimuth: 1, elevation: 0 }, 0.25, 0).azimuth, 1.25);
+});
+
+test("clip space is what is seen, and nearer is less deep", () => {
+  const camera = framing(corners, [0.6, 0.5], 1.5), [width, height] = [600, 400], m = clipMatrix(camera, 1.5, [1, 0.5, 1.5], 9);
+  const clip = (p) => [0, 1, 2, 3].map((row) => m[row] * p[0] + m[4 + row] * p[1] + m[8 + row] * p[2] + m[12 + row]);
+  for (const p of corners) {
+    const [x, y, z, w] = clip(p), [across, down] = seen(camera, p, width, height);
+    near([(x + 1) * width / 2, (1 - y) * height / 2, w], [across, down, 1], 1e-4);
+    assert.ok(Math.abs(z) < 1);
+  }
+  assert.ok(clip(along([0, 0, 0], [1, axesOf(camera).towards]))[2] < clip([0, 0, 0])[2]);
+});
+
+test("the points of reach hold the machine at all its times", () => {
+  const points = reachOf(sample()), x = points.map((p) => p[0]), z = points.map((p) => p[2]);
+  near([Math.min(...x), Math.max(...x), Math.min(...z), Math.max(...z)], [0, 4, -1, 1], 1e-6);
+});
+
+test("steps of a grid are 1, 2 or 5 times a power of ten", () => {
+  for (const [length, step] of [[0.013, 0.02], [0.02, 0.02], [0.03, 0.05], [0.6, 1], [7, 10], [1, 1]]) near([roundStep(length)], [step], 1e-12);
+});
+
+test("the lines of a grid pass through round places, every fifth of them strong", () => {
+  const { fine, strong } = gridLines(-1, [0.03, 0], 1, 0.1, 5), ends = (list) => Array.from({ length: list.length / 3 }, (_, i) => list.slice(3 * i, 3 * i + 3));
+  assert.equal(fine.length % 6 + strong.length % 6, 0);
+  for (const [x, y, z] of ends(strong)) {
+    assert.equal(z, -1);
+    assert.ok([x, y].some((v) => Math.abs(v / 0.5 - Math.round(v / 0.5)) < 1e-9));
+    assert.ok(Math.hypot(x - 0.03, y) < 1 + 1e-9);
+  }
+  assert.ok(ends(fine).some(([x]) => Math.abs(x - 0.7) < 1e-9));
+});
+
+test("a motion that is played begins again where it ends", () => {
+  assert.equal(nextTime(1, 0.25, 0, 2), 1.25);
+  assert.equal(nextTime(1.75, 0.25, 0, 2), 2);
+  assert.equal(nextTime(2, 0.5, 0, 2), 0.5);
+  assert.equal(nextTime(-0.5, 7, -1, 1), 0.5);
+  assert.equal(nextTime(3, 1, 3, 3), 3);
+});
+
+const margin = (more) => ({ name: "rho1", title: "", unit: "mm", factor: 1000, value: 1.2, low: 1, high: 2, margin: 0.2, share: 0.2, broken: false, ...more });
+
+test("limits are told in the reader's units, the nearest first", () => {
+  const angle = margin({ name: "A1", title: "swivel of A1", unit: "°", factor: 180 / Math.PI, value: 0.5, low: -Infinity, high: Math.PI / 4, margin: Math.PI / 4 - 0.5, share: 0.1 });
+  const [first, second] = byRoom([margin(), angle]);
+  assert.equal(first.name, "swivel of A1");
+  assert.equal(limitsOf(first), "at most 45\u202f°");
+  assert.equal(second.name, "rho1");
+  assert.equal(limitsOf(second), "1000 to 2000\u00a0mm");
+  assert.equal(limitsOf({ ...second, high: Infinity }), "at least 1000\u00a0mm");
+  assert.equal(limitsOf({ ...second, low: -Infinity, high: Infinity }), "");
+});
+
+test("a pose is told in a sentence", () => {
+  assert.equal(verdictOf({ margins: [margin()] }), "Within all limits.");
+  assert.equal(verdictOf({ margins: [] }), "No limits are declared.");
+  assert.equal(verdictOf({ margins: [margin({ low: -Infinity, high: Infinity, margin: Infinity })] }), "No limits are declared.");
+  const bad = margin({ value: 2.1, margin: -0.1, share: -0.1, broken: true });
+  assert.equal(verdictOf({ margins: [margin(), bad] }), "Beyond a limit: rho1, 2100.0\u00a0mm, allowed 1000 to 2000\u00a0mm.");
+  const worse = margin({ name: "rho2", value: 2.5, margin: -0.5, share: -0.5, broken: true });
+  assert.match(verdictOf({ margins: [bad, margin(), worse] }), /^Beyond 2 limits, farthest: rho2, /);
+  for (const why of ["reach", "singular", "side"]) assert.match(refusalOf(why), /^[A-Z].*\. The machine stays where it was\.$/);
+});
+
+test("numbers are read as readers type them", () => {
+  assert.equal(numberTyped(" 12.5 "), 12.5);
+  assert.equal(numberTyped("−3,5"), -3.5);
+  for (const text of ["", "abc", "1 2", "1e999"]) assert.equal(numberTyped(text), null, text);
+});
+
+test("numbers have the digits of their span, or their own, and limits no zeros that say nothing", () => {
+  assert.equal(told(312.437), "312.4");
+  assert.equal(told(-0.0312), "−0.03120");
+  assert.equal(told(1e-17, 0, 300), "0.0");
+  assert.equal(told(Infinity), "–");
+  assert.equal(declared(1490.0000000001), "1490");
+  assert.equal(declared(-0.25), "−0.25");
+  assert.equal(declared(0), "0");
+});
