@@ -103,7 +103,7 @@ void judge(CurveRow& row, const Curve& a, const Curve& b, const Tolerance& toler
   row.other_instants = row.other_instants || !alike;
   for (std::size_t i = 0; i < a.time.size(); ++i) {
     if (!alike && (b.time.empty() || a.time[i] < b.time.front() || a.time[i] > b.time.back())) continue;
-    const double seen = alike ? b.y[i] : read_between(b.time, b.y, a.time[i]), difference = seen - a.y[i];
+    const double seen = alike ? b.y[i] : read_between(b.time, b.y, a.time[i], nth_of_instant(a.time, i)), difference = seen - a.y[i];
     if (std::isnan(seen) && std::isnan(a.y[i])) continue;
     if (std::isnan(difference)) {
       row.gap = row.differs = true;
@@ -191,11 +191,20 @@ bool all_agree(const std::vector<Row>& rows) {
 
 }  // namespace
 
-double read_between(const std::vector<double>& time, const std::vector<double>& y, double at) {
+std::size_t nth_of_instant(const std::vector<double>& time, std::size_t i) {
+  std::size_t n = 0;
+  while (n < i && time[i - n - 1] == time[i]) ++n;
+  return n;
+}
+
+double read_between(const std::vector<double>& time, const std::vector<double>& y, double at, std::size_t nth) {
   const auto after = std::ranges::lower_bound(time, at);
   if (after == time.end()) return none;
   const auto i = static_cast<std::size_t>(after - time.begin());
-  if (*after == at) return y[i];
+  if (*after == at) {
+    const auto last = static_cast<std::size_t>(std::upper_bound(after, time.end(), at) - time.begin()) - 1;
+    return y[std::min(i + nth, last)];
+  }
   if (i == 0) return none;
   const double part = (at - time[i - 1]) / (time[i] - time[i - 1]);
   return y[i - 1] + part * (y[i] - y[i - 1]);

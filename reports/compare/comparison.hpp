@@ -64,6 +64,8 @@ struct Comparison {
 Comparison compare(const std::vector<Results>& reports, const Tolerance& tolerance);
 
 // `y` at one instant, along the straight line between two samples. NaN outside of its times, and beside gaps.
-double read_between(const std::vector<double>& time, const std::vector<double>& y, double at);
+double read_between(const std::vector<double>& time, const std::vector<double>& y, double at, std::size_t nth = 0);
+// How many samples before sample i are of its instant: where a curve jumps there are two.
+std::size_t nth_of_instant(const std::vector<double>& time, std::size_t i);
 
 }  // namespace pmreport::compare

@@ -64,7 +64,8 @@ figure::Figure figure_of(const Comparison& c, const CurveRow& row, std::size_t n
     largest = std::max(largest, largest_of(curve.y));
     std::vector<double> difference(first.time.size());
     for (std::size_t i = 0; i < first.time.size(); ++i) {
-      const double seen = curve.time == first.time ? curve.y[i] : read_between(curve.time, curve.y, first.time[i]);
+      const double seen =
+          curve.time == first.time ? curve.y[i] : read_between(curve.time, curve.y, first.time[i], nth_of_instant(first.time, i));
       difference[i] = seen - first.y[i];
     }
     largest_difference = std::max(largest_difference, largest_of(difference));

@@ -2,6 +2,7 @@
 #include <reports/compare/page.hpp>
 #include <reports/compare/words.hpp>
 
+#include <reports/document/html/frame.hpp>
 #include <reports/document/html/html_page.hpp>
 #include <reports/figure/draw.hpp>
 
@@ -24,7 +25,7 @@ struct Part {
 };
 
 void write_tables(Page& page, const std::vector<document::Table>& tables) {
-  for (const document::Table& table : tables) write_block(page, {}, table);
+  for (const document::Table& table : tables) write_block(page, {}, table, 0);
 }
 
 void write_contents(HtmlWriter& html, const std::vector<Part>& parts, bool figures) {
@@ -108,33 +109,19 @@ std::string to_html(const Comparison& c, const std::string& version) {
   const std::vector<std::string> no_drawings;
   Page page{no_report, no_names, no_drawings};
   HtmlWriter& html = page.html;
-  html.markup("<!DOCTYPE html>\n");
-  html.element("html", {{"lang", "en"}}, [&] {
-    html.element("head", [&] {
-      html.open("meta", {{"charset", "utf-8"}});
-      html.open("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
-      html.open("meta", {{"name", "generator"}, {"content", "pmreport " + version}});
-      html.element("title", "Comparison of reports");
-      html.element("style", [&] {
-        html.markup(document::html_style);
-        html.markup(document::html_theme);
-        html.markup(narrow_style);
-      });
-    });
-    html.element("body", [&] {
-      write_contents(html, parts, !figures.empty());
-      html.element("main", [&] {
-        html.element("header", [&] { html.element("h1", "Comparison of reports"); });
-        write_summary(page, c);
-        for (const Part& part : parts) {
-          if (part.tables.empty()) continue;
-          html.element("section", {{"id", part.anchor}}, [&] {
-            html.element("h2", part.title);
-            write_tables(page, part.tables);
-          });
-        }
-        if (!figures.empty()) write_curves(page, c, figures);
-      });
+  write_frame(html, "Comparison of reports", "pmreport " + version, {document::html_style, document::html_theme, narrow_style}, [&] {
+    write_contents(html, parts, !figures.empty());
+    html.element("main", [&] {
+      html.element("header", [&] { html.element("h1", "Comparison of reports"); });
+      write_summary(page, c);
+      for (const Part& part : parts) {
+        if (part.tables.empty()) continue;
+        html.element("section", {{"id", part.anchor}}, [&] {
+          html.element("h2", part.title);
+          write_tables(page, part.tables);
+        });
+      }
+      if (!figures.empty()) write_curves(page, c, figures);
     });
   });
   return html.take();

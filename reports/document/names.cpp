@@ -78,7 +78,10 @@ Names names_of(const Report& r) {
   for (const Section& s : r.sections) names.sections.push_back(section(s.id, "section"));
   Unique figure, picture, data;
   for (const figure::Figure* f : figures_of(r)) names.figures.push_back(figure(f->id, "figure"));
-  for (const Picture* p : pictures_of(r)) names.pictures.push_back(picture(p->id, "snapshot"));
+  for (const Picture* p : pictures_of(r)) {
+    names.pictures.push_back(picture(p->id, "snapshot"));
+    names.drawn.push_back(!p->pdf.empty() && !p->svg.empty());
+  }
   for (const Data& d : r.data) names.data.push_back(data(d.name, "data"));
   std::set<std::string> tables;
   for (const std::string& name : names.data) tables.insert(lower(name) + ".csv");
@@ -99,7 +102,12 @@ std::vector<std::string> files_of(const Names& names) {
     files.push_back("figures/" + name + ".svg");
     files.push_back("figures/" + name + ".pdf");
   }
-  for (const std::string& name : names.pictures) files.push_back("snapshots/" + name + ".png");
+  for (std::size_t i = 0; i < names.pictures.size(); ++i) {
+    files.push_back("snapshots/" + names.pictures[i] + ".png");
+    if (!names.drawn[i]) continue;
+    files.push_back("snapshots/" + names.pictures[i] + ".svg");
+    files.push_back("snapshots/" + names.pictures[i] + ".pdf");
+  }
   for (const std::string& name : names.data) files.push_back("data/" + name + ".csv");
   for (const std::string& name : names.files) files.push_back("data/" + name);
   files.insert(files.end(), {"summary.md", "junit.xml", "results.json"});

@@ -10,6 +10,7 @@ struct Names {                        // each list in the order in which the thi
   std::vector<std::string> sections;  // anchors in report.html
   std::vector<std::string> figures;   // figures/<name>.svg and .pdf
   std::vector<std::string> pictures;  // snapshots/<name>.png
+  std::vector<bool> drawn;            // which of them are there as .pdf and .svg too
   std::vector<std::string> data;      // data/<name>.csv
   std::vector<std::string> files;     // data/<name>, with their extensions
 };

@@ -3,9 +3,13 @@
 #pragma once
 
 #include <reports/document/every_instant.hpp>
+#include <reports/document/input.hpp>
 #include <reports/figure/figure.hpp>
 
+#include <cairo.h>
+
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -34,7 +38,9 @@ struct Picture {        // a snapshot
   std::string id;       // file name without extension
   std::string caption;  // "t = 0 s, isometric"
   std::string png;
-  int width = 0, height = 0;  // [px]
+  int width = 0, height = 0;                                     // [px]
+  std::string pdf = {}, svg = {};                                // the same as vectors; empty: there are none
+  std::function<void(cairo_t* cr, double width)> as_lines = {};  // draws it `width` [pt] wide: pages show this and the SVG, not the PNG
 };
 struct Gallery {
   std::vector<Picture> pictures;
@@ -162,12 +168,14 @@ struct Report {
   std::vector<KeyNumber> key_numbers;    // a handful, what is nearest to its limit first
   std::vector<Finding> findings;         // worst first
   std::vector<Paragraph> summary;        // what was asked: motion, load, proof
+  std::vector<Input> inputs;             // what went into it
   std::vector<std::string> assumptions;  // what all of it rests on, a sentence each
   std::vector<std::string> not_asked;    // kinds of examination that the scenario leaves out: "stiffness"
   std::optional<Picture> cover;          // of the machine
   std::vector<Section> sections;
   std::vector<Data> data;
   std::vector<File> files;
+  std::string live;  // JavaScript: what moves the machine in the page; empty: nothing does
   std::vector<Check> checks;
   std::vector<Value> values;
   std::optional<EveryInstant> every_instant;  // of a motion

@@ -29,5 +29,8 @@ class Interrupted : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 void write(const Report& r, const std::string& folder, bool (*interrupted)() = nullptr);
+// The same into a folder that was begun before the report was made: where it cannot be written, that is told before the work.
+class StagedFolder;
+void write(const Report& r, StagedFolder& staged, bool (*interrupted)());
 
 }  // namespace pmreport::document

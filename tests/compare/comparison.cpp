@@ -155,6 +155,19 @@ TEST_CASE("curves of other instants differ, and are read between their samples")
   CHECK(std::isnan(compare::read_between({0, 2}, {0, 1}, -0.5)));
 }
 
+TEST_CASE("where a curve jumps, its samples of one instant are held against those of the other in their order") {
+  document::Report a = report(), b = report();
+  a.data[0].columns = {{0, 1, 1, 2}, {0, 1, 5, 6}};            // jumps from 1 to 5
+  b.data[0].columns = {{0, 0.5, 1, 1, 2}, {0, 0.5, 1, 5, 6}};  // the same, sampled at one instant more
+  const auto both = results({a, b});
+  CHECK(compare::compare(both, {}).curves[0].difference == 0);
+  CHECK(compare::read_between({0, 1, 1, 2}, {0, 1, 5, 6}, 1, 1) == 5);
+  CHECK(compare::read_between({0, 1, 1, 2}, {0, 1, 5, 6}, 1, 9) == 5);
+  CHECK(compare::read_between({0, 1, 1, 2}, {0, 1, 5, 6}, 1.5) == 5.5);
+  b.data[0].columns[1][3] = 4;
+  CHECK(compare::compare(results({a, b}), {}).curves[0].difference == -1);
+}
+
 TEST_CASE("a report without data is compared by its values") {
   auto both = results({report(), report()});
   both[1].curves.clear();

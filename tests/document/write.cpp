@@ -334,7 +334,31 @@ TEST_CASE("a report that was set aside by a killed run returns to its place") {
   write(another(), place / "report");
   const auto before = content_of(place / "report");
   fs::rename(place / "report", place / ".report.4711.partial.old");
+  sample::put(place / ".report.4711.partial/report.html", "the new one, which was to follow");
   { const StagedFolder staged(place / "report"); }
   CHECK(content_of(place / "report") == before);
   CHECK(names_in(place.path()) == 1);
+}
+
+TEST_CASE("a report that was replaced and set aside does not come back when the new one is deleted") {
+  const sample::Folder place;
+  write(another(), place / "report");
+  fs::rename(place / "report", place / ".report.4711.partial.old");
+  { const StagedFolder staged(place / "report"); }
+  CHECK(names_in(place.path()) == 0);
+}
+
+TEST_CASE("who may look into a report stays as its owner has set it") {
+  const sample::Folder place;
+  write(sample::report(), place / "report");
+  fs::permissions(place / "report", fs::perms::owner_all);
+  write(another(), place / "report");
+  CHECK(fs::status(place / "report").permissions() == fs::perms::owner_all);
+}
+
+TEST_CASE("a pipe in the place of an earlier report's results keeps nobody waiting") {
+  const sample::Folder place;
+  fs::create_directory(place / "report");
+  REQUIRE(mkfifo((place / "report/results.json").c_str(), 0600) == 0);
+  CHECK(contains(refusal(place / "report"), "is no earlier report"));
 }

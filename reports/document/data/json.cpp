@@ -67,6 +67,16 @@ Json json_of(const KeyNumber& k) {
   return out;
 }
 
+Json json_of(const Input& i) {
+  Json out{{"name", i.name}};
+  if (!i.text.empty() || (i.numbers.empty() && !i.list))
+    out["value"] = i.text;
+  else
+    out["value"] = i.list ? Json(i.numbers) : Json(i.numbers.front());
+  out.update({{"unit", i.unit}, {"source", i.source}, {"line", i.line > 0 ? Json(i.line) : Json()}});
+  return out;
+}
+
 Json json_of(const Finding& f) { return {{"kind", name_of(f.kind)}, {"text", f.text}, {"section", f.section}}; }
 
 template <class Items>
@@ -131,6 +141,9 @@ Json snapshot_list(const Report& r, const Names& names) {
                    {"png", "snapshots/" + names.pictures[i] + ".png"},
                    {"width", pictures[i]->width},
                    {"height", pictures[i]->height}});
+    if (!names.drawn[i]) continue;
+    out.back()["svg"] = "snapshots/" + names.pictures[i] + ".svg";
+    out.back()["pdf"] = "snapshots/" + names.pictures[i] + ".pdf";
   }
   return out;
 }
@@ -176,6 +189,7 @@ std::string to_json(const Report& r) {
   out["findings"] = list_of(r.findings);
   out["assumptions"] = r.assumptions;
   out["not_asked"] = r.not_asked;
+  out["inputs"] = list_of(r.inputs);
   out["warnings"] = warnings_of(r);
   out["checks"] = list_of(r.checks);
   out["sections"] = sections_of(r);

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <reports/document/folder/folder_lock.hpp>
+#include <reports/document/folder/left_behind.hpp>
 #include <reports/document/write.hpp>
 
 namespace pmreport::document {
@@ -33,9 +34,13 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : path_(folder.paren
     }
     if (status != 0) fail("lock", path_, errno);
   } while (!is_still_named(file_, path_));
+  now_there(path_);
 }
 
 // Removed while still locked: a waiting process then sees that its file has lost its name, and starts anew.
-FolderLock::~FolderLock() { unlink(path_.c_str()); }
+FolderLock::~FolderLock() {
+  unlink(path_.c_str());
+  now_gone(path_);
+}
 
 }  // namespace pmreport::document

@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <stdio.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <reports/document/data/results.hpp>
+#include <reports/document/folder/left_behind.hpp>
 #include <reports/document/folder/staged_folder.hpp>
 #include <reports/document/write.hpp>
 
@@ -34,6 +36,8 @@ fs::path resolve(const std::string& folder) {
 }
 
 std::string bytes_of(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return {};  // a pipe would keep whoever opens it waiting
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
@@ -62,27 +66,41 @@ fs::path partial_name(const fs::path& target, const std::string& process) {
   return target.parent_path() / ("." + target.filename().string() + "." + process + ".partial");
 }
 
-// What a killed run has left. Who holds the lock is the only one at work, so every other is dead, whatever its number says by now.
-void remove_stale(const fs::path& target) {
-  const std::string head = "." + target.filename().string() + ".", tail = ".partial";
+// Names that runs have left beside their target: ".NAME.PROCESS" and the ending.
+std::vector<fs::path> left_beside(const fs::path& target, std::string_view ending) {
+  const std::string head = "." + target.filename().string() + ".";
+  std::vector<fs::path> out;
   std::error_code error;
   for (fs::directory_iterator at(target.parent_path(), error); !error && at != fs::directory_iterator(); at.increment(error)) {
     const std::string name = at->path().filename().string();
-    if (name.size() <= head.size() + tail.size() || !name.starts_with(head) || !name.ends_with(tail)) continue;
-    const std::string process = name.substr(head.size(), name.size() - head.size() - tail.size());
-    std::error_code ignored;
-    if (process.find_first_not_of("0123456789") == std::string::npos) fs::remove_all(at->path(), ignored);
+    if (name.size() <= head.size() + ending.size() || !name.starts_with(head) || !name.ends_with(ending)) continue;
+    const std::string process = name.substr(head.size(), name.size() - head.size() - ending.size());
+    if (process.find_first_not_of("0123456789") == std::string::npos) out.push_back(at->path());
   }
+  return out;
+}
+
+constexpr std::string_view filled = ".partial", set_aside = ".partial.old";
+
+// What a killed run has left. Who holds the lock is the only one at work, so every other is dead, whatever its number says by now.
+void remove_stale(const fs::path& target) {
+  for (const std::string_view ending : {filled, set_aside})
+    for (const fs::path& path : left_beside(target, ending)) {
+      std::error_code ignored;
+      fs::remove_all(path, ignored);
+    }
 }
 
 // A run that was killed between the two renames of put_in_place_by_two_renames has left no report in place: the one that was there returns.
+// The new one then still stands beside it under its first name. Where it does not, the old report was replaced, and who removed the new one
+// wants neither.
 void restore(const fs::path& target) {
   std::error_code error;
   if (fs::exists(fs::symlink_status(target, error))) return;
-  for (fs::directory_iterator at(target.parent_path(), error); !error && at != fs::directory_iterator(); at.increment(error)) {
-    const std::string name = at->path().filename().string();
-    if (!name.starts_with("." + target.filename().string() + ".") || !name.ends_with(".partial.old")) continue;
-    if (rename(at->path().c_str(), target.c_str()) != 0) fail("restore", target, errno);
+  for (const fs::path& old : left_beside(target, set_aside)) {
+    const fs::path fresh = old.parent_path() / old.stem();
+    if (!fs::exists(fs::symlink_status(fresh, error))) continue;
+    if (rename(old.c_str(), target.c_str()) != 0) fail("restore", target, errno);
     return;
   }
 }
@@ -105,22 +123,37 @@ MadeParents::MadeParents(const fs::path& folder) {
     for (auto path = missing.rbegin(); path != missing.rend(); ++path) {
       make_folder(*path);
       made_.push_back(*path);
+      now_there(*path);
     }
   } catch (...) {
-    for (auto path = made_.rbegin(); path != made_.rend(); ++path) rmdir(path->c_str());
+    take_back();
     throw;
   }
 }
 
-MadeParents::~MadeParents() {
-  for (auto path = made_.rbegin(); path != made_.rend(); ++path) rmdir(path->c_str());  // not if somebody else uses it by now
+MadeParents::~MadeParents() { take_back(); }
+
+void MadeParents::take_back() {
+  for (auto path = made_.rbegin(); path != made_.rend(); ++path) {
+    rmdir(path->c_str());  // not if somebody else uses it by now
+    now_gone(*path);
+  }
 }
 
-TemporaryFolder::TemporaryFolder(fs::path path) : path_(std::move(path)) { make_folder(path_); }
+void MadeParents::keep() {
+  for (const fs::path& path : made_) now_gone(path);
+  made_.clear();
+}
+
+TemporaryFolder::TemporaryFolder(fs::path path) : path_(std::move(path)) {
+  make_folder(path_);
+  now_there(path_);
+}
 
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
   fs::remove_all(path_, ignored);
+  now_gone(path_);
 }
 
 StagedFolder::StagedFolder(const std::string& folder)
@@ -139,8 +172,11 @@ void StagedFolder::commit() {
   }
   sync_folder(partial_.path());
   refuse_foreign(target_);  // again: somebody may have saved a note there while the report was drawn
+  // Who may look into a report is for its owner to say, and stays so.
+  if (struct stat old{}; stat(target_.c_str(), &old) == 0) chmod(partial_.path().c_str(), old.st_mode & 07777);
   if (!put_in_place(partial_.path(), target_)) fail("replace", target_, errno);
   parents_.keep();
+  now_standing(target_);
   // From here on the new report stands; that its name may not outlast a power cut is no failure to undo it for.
   if (const Descriptor parent(open(target_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)); parent.number() >= 0)
     fsync(parent.number());

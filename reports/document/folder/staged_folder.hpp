@@ -18,9 +18,10 @@ class MadeParents {
   MadeParents(const MadeParents&) = delete;
   MadeParents& operator=(const MadeParents&) = delete;
   ~MadeParents();
-  void keep() { made_.clear(); }
+  void keep();
 
  private:
+  void take_back();
   std::vector<std::filesystem::path> made_;
 };
 

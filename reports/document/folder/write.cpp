@@ -2,6 +2,7 @@
 #include <reports/document/folder/staged_folder.hpp>
 #include <reports/document/html/html_page.hpp>
 #include <reports/document/write.hpp>
+#include <reports/figure/warnings.hpp>
 
 namespace pmreport::document {
 
@@ -11,13 +12,19 @@ std::string to_html(const Report& r) {
 }
 
 void write(const Report& r, const std::string& folder, bool (*interrupted)()) {
+  if (interrupted && interrupted()) throw Interrupted("interrupted before the report was written");
+  StagedFolder staged(folder);
+  write(r, staged, interrupted);
+}
+
+void write(const Report& r, StagedFolder& staged, bool (*interrupted)()) {
   const auto go_on = [&] {
     if (interrupted && interrupted()) throw Interrupted("interrupted while the report was written");
   };
   go_on();
-  StagedFolder staged(folder);  // first: a folder that cannot be written is told before minutes are spent on drawing
   const Names names = names_of(r);
   const Artwork art = draw_all(r, names, interrupted);
+  figure::throw_if_libraries_warned();
   const auto add = [&](const std::string& name, std::string_view bytes) {
     go_on();
     staged.add(name, bytes);
@@ -29,7 +36,13 @@ void write(const Report& r, const std::string& folder, bool (*interrupted)()) {
     add("figures/" + names.figures[i] + ".pdf", art.pdf[i]);
   }
   const auto pictures = pictures_of(r);
-  for (std::size_t i = 0; i < pictures.size(); ++i) add("snapshots/" + names.pictures[i] + ".png", pictures[i]->png);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const std::string stem = "snapshots/" + names.pictures[i];
+    add(stem + ".png", pictures[i]->png);
+    if (!names.drawn[i]) continue;
+    add(stem + ".svg", pictures[i]->svg);
+    add(stem + ".pdf", pictures[i]->pdf);
+  }
   for (std::size_t i = 0; i < r.data.size(); ++i) add("data/" + names.data[i] + ".csv", to_csv(r.data[i]));
   for (std::size_t i = 0; i < r.files.size(); ++i) add("data/" + names.files[i], r.files[i].bytes);
   add("summary.md", to_markdown(r));

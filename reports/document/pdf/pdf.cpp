@@ -1,8 +1,7 @@
 // The report as PDF: composed into pages first, then drawn, so that the contents know their pages.
-#include <reports/document/pdf/pdf_appendix.hpp>
+#include <reports/document/pdf/pdf_compose.hpp>
 #include <reports/document/pdf/pdf_date.hpp>
-#include <reports/document/pdf/pdf_front.hpp>
-#include <reports/document/pdf/pdf_link.hpp>
+#include <reports/document/pdf/pdf_finish.hpp>
 #include <reports/document/write.hpp>
 
 #include <cairo-pdf.h>
@@ -10,6 +9,7 @@
 
 #include <memory>
 #include <new>
+#include <optional>
 
 namespace pmreport::document {
 
@@ -35,60 +35,6 @@ void demand(cairo_status_t status) {
     throw OutputError(fmt::format("report.pdf could not be drawn: Cairo says \"{}\"", cairo_status_to_string(status)));
 }
 
-struct Plan {
-  std::vector<Entry> sections;
-  Entry checks, scenario, provenance;
-  std::vector<Entry> all() const {
-    std::vector<Entry> result = sections;
-    result.insert(result.end(), {checks, scenario, provenance});
-    return result;
-  }
-};
-
-Plan plan_of(const Report& r, const Names& names) {
-  Plan plan;
-  for (std::size_t i = 0; i < r.sections.size(); ++i) {
-    const Section& s = r.sections[i];
-    plan.sections.push_back({fmt::to_string(i + 1), s.title.empty() ? s.kind : s.title, names.sections[i]});
-  }
-  plan.checks = {fmt::to_string(r.sections.size() + 1), "Checks", "checks"};
-  plan.scenario = {"A", "Scenario", "scenario"};
-  plan.provenance = {"B", "Provenance", "provenance"};
-  return plan;
-}
-
-struct PutBlock {
-  Composer& c;
-  void operator()(const Paragraph& p) const { put_paragraph(c, p); }
-  void operator()(const Table& t) const { put_table(c, t); }
-  void operator()(const figure::Figure& f) const { put_figure(c, f); }
-  void operator()(const Gallery& g) const { put_gallery(c, g); }
-  void operator()(const Proof& p) const { put_proof(c, p); }
-};
-
-void begin(Composer& c, const Entry& e) {
-  c.flow.section(printable_line(e.number + "  " + e.title));
-  put_heading(c, e.number, e.title, e.destination);
-}
-
-void compose(Composer& c, const Plan& plan) {
-  const Report& r = c.report;
-  put_title(c, plan.sections, plan.checks);
-  put_contents(c, plan.all());
-  for (std::size_t i = 0; i < r.sections.size(); ++i) {
-    begin(c, plan.sections[i]);
-    for (const auto& block : r.sections[i].blocks) std::visit(PutBlock{c}, block);
-    if (r.sections[i].blocks.empty()) put_lines(c, "This section is empty.", secondary);
-  }
-  begin(c, plan.checks);
-  put_checks(c, r.checks);
-  begin(c, plan.scenario);
-  put_listing(c, r.scenario_text);
-  begin(c, plan.provenance);
-  put_provenance(c, r.provenance);
-  put_files(c);
-}
-
 void show_ranged(cairo_t* cr, const std::string& text, double y, double width, bool right) {
   const figure::Text set(cr, markup_line(text), secondary.font, 0, true);
   if (set.extents().width > width) {
@@ -99,7 +45,8 @@ void show_ranged(cairo_t* cr, const std::string& text, double y, double width, b
   set.show(right ? text_left + text_width - set.extents().width : text_left, y);
 }
 
-void draw_page(const Composer& c, const Page& page, std::size_t number, std::size_t pages) {
+// Pieces of one element that follow each other on a page, such as the lines of a paragraph, are marked together.
+void draw_page(Composer& c, const Page& page, std::size_t number, std::size_t pages) {
   cairo_t* const cr = c.cr;
   if (number > 1) {
     constexpr double y = 13 * mm;
@@ -108,14 +55,17 @@ void draw_page(const Composer& c, const Page& page, std::size_t number, std::siz
     rule(cr, text_left, y + 14, text_width, 0.4, hairline);
   }
   show_ranged(cr, fmt::format("{} / {}", number, pages), paper_height - 14 * mm, text_width, true);
-  for (const auto& placed : page.pieces) {
+  std::optional<Mark> mark;
+  int marked = -1;
+  for (const auto& [y, piece, scale] : page.pieces) {
+    if (piece.element != marked || !piece.destination.empty()) mark.reset();
     cairo_save(cr);
-    cairo_translate(cr, text_left, placed.y);
-    if (!placed.piece.destination.empty()) set_destination(cr, placed.piece.destination);
-    if (placed.piece.draw) {
-      const Tag tag(cr, placed.piece.role);
-      placed.piece.draw(cr);
-    }
+    cairo_translate(cr, text_left, y);
+    if (!piece.destination.empty()) set_destination(cr, piece.destination);
+    if (piece.element >= 0 && !mark) mark.emplace(cr, c.structure, piece.element);
+    marked = piece.element;
+    if (piece.draw) piece.draw(cr);
+    if (piece.draw_scaled) piece.draw_scaled(cr, scale);
     cairo_restore(cr);
   }
 }
@@ -131,20 +81,22 @@ void draw(Composer& c, cairo_surface_t* surface, const Plan& plan) {
   }
   for (const auto& e : plan.all()) {
     c.flow.require(e.destination);
-    cairo_pdf_surface_add_outline(surface, CAIRO_PDF_OUTLINE_ROOT, printable_line(e.number + "  " + e.title).c_str(),
-                                  fmt::format("dest='{}'", e.destination).c_str(), cairo_pdf_outline_flags_t{});
+    cairo_pdf_surface_add_outline(surface, CAIRO_PDF_OUTLINE_ROOT, title_of(e).c_str(), fmt::format("dest='{}'", e.destination).c_str(),
+                                  cairo_pdf_outline_flags_t{});
   }
 }
+
+std::string document_title(const Report& r) { return r.title.empty() ? "Untitled report" : printable_line(r.title); }
+std::string creator_of(const Report& r) { return printable_line(r.provenance.program + " " + r.provenance.version); }
 
 void describe(cairo_surface_t* surface, const Report& r) {
   const auto set = [&](cairo_pdf_metadata_t what, const std::string& text) {
     if (!text.empty()) cairo_pdf_surface_set_metadata(surface, what, printable_line(text).c_str());
   };
-  set(CAIRO_PDF_METADATA_TITLE, r.title);
+  set(CAIRO_PDF_METADATA_TITLE, document_title(r));
   set(CAIRO_PDF_METADATA_AUTHOR, r.author);
   set(CAIRO_PDF_METADATA_SUBJECT, r.mechanism_title);
-  set(CAIRO_PDF_METADATA_CREATOR, r.provenance.program + " " + r.provenance.version);
-  set(CAIRO_PDF_METADATA_CREATE_DATE, placeholder_date);
+  set(CAIRO_PDF_METADATA_CREATOR, creator_of(r));
 }
 
 }  // namespace
@@ -152,23 +104,24 @@ void describe(cairo_surface_t* surface, const Report& r) {
 
 std::string to_pdf(const Report& r) {
   std::string bytes;
-  {
-    const std::unique_ptr<cairo_surface_t, pdf::Finish> surface(
-        cairo_pdf_surface_create_for_stream(pdf::append, &bytes, pdf::paper_width, pdf::paper_height));
-    pdf::describe(surface.get(), r);
-    {
-      const std::unique_ptr<cairo_t, pdf::Finish> cr(cairo_create(surface.get()));
-      pdf::demand(cairo_status(cr.get()));
-      pdf::Composer composer{.report = r, .names = names_of(r), .cr = cr.get()};
-      const pdf::Plan plan = pdf::plan_of(r, composer.names);
-      pdf::compose(composer, plan);
-      pdf::draw(composer, surface.get(), plan);
-    }
-    cairo_surface_finish(surface.get());
-    pdf::demand(cairo_surface_status(surface.get()));
-  }
-  pdf::settle_date(bytes, pdf::source_date_epoch());
-  return bytes;
+  const std::unique_ptr<cairo_surface_t, pdf::Finish> surface(
+      cairo_pdf_surface_create_for_stream(pdf::append, &bytes, pdf::paper_width, pdf::paper_height));
+  const std::unique_ptr<cairo_t, pdf::Finish> cr(cairo_create(surface.get()));
+  pdf::describe(surface.get(), r);
+  pdf::demand(cairo_status(cr.get()));
+  pdf::Composer composer{.report = r, .names = names_of(r), .numbering = numbering_of(r), .cr = cr.get()};
+  pdf::Attachments attached = pdf::attachments_of(r, composer.names);
+  const pdf::Plan plan = pdf::plan_of(composer);
+  pdf::compose(composer, plan, attached);
+  pdf::draw(composer, surface.get(), plan);
+  cairo_surface_finish(surface.get());
+  pdf::demand(cairo_surface_status(surface.get()));
+  return pdf::finished(bytes, {.structure = composer.structure,
+                               .title = pdf::document_title(r),
+                               .author = pdf::printable_line(r.author),
+                               .creator = pdf::creator_of(r),
+                               .attachments = std::move(attached.files),
+                               .epoch = pdf::source_date_epoch()});
 }
 
 }  // namespace pmreport::document

@@ -9,8 +9,6 @@
 
 namespace pmreport::document::pdf {
 
-const char* const placeholder_date = "2000-01-01T00:00:00+00:00";
-
 long long source_date_epoch() {
   const char* const text = std::getenv("SOURCE_DATE_EPOCH");
   if (!text) return -1;
@@ -21,23 +19,21 @@ long long source_date_epoch() {
   return error == std::errc() && stop == end && stop != text && epoch >= 0 && epoch < year_10000 ? epoch : -1;
 }
 
-// Cairo 1.16 leaves out the "D:" that every date in a PDF begins with. The placeholder's zone of five characters makes room for it.
-void settle_date(std::string& pdf, long long epoch) {
-  static const std::string written = "/CreationDate (20000101000000+00'00)";
-  const auto at = pdf.rfind(written);
-  if (at == std::string::npos) return;
-  std::string date;
-  if (epoch >= 0) {
-    using namespace std::chrono;
-    const sys_seconds time{seconds{epoch}};
-    const auto day = floor<days>(time);
-    const year_month_day d{day};
-    const hh_mm_ss t{time - day};
-    date = fmt::format("/CreationDate (D:{:04}{:02}{:02}{:02}{:02}{:02}Z)", static_cast<int>(d.year()), static_cast<unsigned>(d.month()),
-                       static_cast<unsigned>(d.day()), t.hours().count(), t.minutes().count(), t.seconds().count());
-  }
-  date.resize(written.size(), ' ');
-  pdf.replace(at, written.size(), date);
+namespace {
+
+std::string date(const char* format, long long epoch) {
+  using namespace std::chrono;
+  const sys_seconds time{seconds{epoch}};
+  const auto day = floor<days>(time);
+  const year_month_day d{day};
+  const hh_mm_ss t{time - day};
+  return fmt::format(fmt::runtime(format), static_cast<int>(d.year()), static_cast<unsigned>(d.month()), static_cast<unsigned>(d.day()),
+                     t.hours().count(), t.minutes().count(), t.seconds().count());
 }
+
+}  // namespace
+
+std::string pdf_date(long long epoch) { return date("D:{:04}{:02}{:02}{:02}{:02}{:02}Z", epoch); }
+std::string iso_date(long long epoch) { return date("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", epoch); }
 
 }  // namespace pmreport::document::pdf

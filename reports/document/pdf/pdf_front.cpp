@@ -1,11 +1,13 @@
+#include <reports/document/pdf/pdf_breaks.hpp>
 #include <reports/document/pdf/pdf_front.hpp>
-#include <reports/document/pdf/pdf_link.hpp>
 #include <reports/document/tally.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <optional>
 
 namespace pmreport::document::pdf {
@@ -58,10 +60,11 @@ struct VerdictBox {
     for (const Line& l : lines) h += l.text.height();
     return h;
   }
-  void draw(cairo_t* cr, double x, double y, double tall) const {
+  void draw(cairo_t* cr, Structure& structure, int element, double x, double y, double tall) const {
     set_colour(cr, colour);
     cairo_rectangle(cr, x, y, 4, tall);
     cairo_fill(cr);
+    const Mark mark(cr, structure, element);
     word.draw(cr, x + 14, y);
     y += word.height() + 4;
     for (const Line& l : lines) {
@@ -112,20 +115,23 @@ void put_verdict(Composer& c) {
   c.flow.gap(12);
   if (!c.report.cover) {
     const VerdictBox box = verdict_box(c, text_width);
-    c.flow.put({.height = box.height(), .draw = [box](cairo_t* cr) { box.draw(cr, 0, 0, box.height()); }});
+    c.flow.put({.height = box.height(),
+                .draw = [&c, box, words = c.add("P")](cairo_t* cr) { box.draw(cr, c.structure, words, 0, 0, box.height()); }});
     return;
   }
   constexpr double picture_width = 98 * mm, between = 8 * mm, most = 74 * mm;
   const Box picture = picture_box(*c.report.cover, picture_width, most);
   const VerdictBox box = verdict_box(c, text_width - picture.width - between);
   const double height = std::max(picture.height, box.height());
-  c.flow.put({.height = height,
-              .draw =
-                  [=, cover = &*c.report.cover](cairo_t* cr) {
-                    draw_picture(cr, *cover, picture);
-                    box.draw(cr, picture.width + between, 0, height);
-                  },
-              .role = "Figure"});
+  const std::string shown = c.report.cover->caption.empty() ? "The machine" : printable_line(c.report.cover->caption);
+  c.flow.put(
+      {.height = height, .draw = [=, &c, figure = c.add("Figure", shown), words = c.add("P"), cover = &*c.report.cover](cairo_t* cr) {
+         {
+           const Mark mark = Mark::figure(cr, c.structure, figure, picture);
+           draw_picture(cr, *cover, picture);
+         }
+         box.draw(cr, c.structure, words, picture.width + between, 0, height);
+       }});
 }
 
 const Entry* entry_of(const Composer& c, const std::vector<Entry>& sections, const std::string& id) {
@@ -134,30 +140,51 @@ const Entry* entry_of(const Composer& c, const std::vector<Entry>& sections, con
   return nullptr;
 }
 
+// Lines that lead to where more is told, when that is known.
+void draw_linked(Composer& c, cairo_t* cr, const Lines& lines, int element, const std::string& destination, const Box& box) {
+  if (destination.empty()) {
+    const Mark mark(cr, c.structure, element);
+    return lines.draw(cr, box.x, box.y);
+  }
+  c.flow.require(destination);
+  const Mark mark = Mark::link(cr, c.structure, element, destination, box);
+  lines.draw(cr, box.x, box.y);
+}
+
+// Element of lines that may be a link, in `parent`.
+int add_linked(Composer& c, int parent, const Entry* to) {
+  return to == nullptr ? c.structure.add("P", parent) : c.structure.add("Link", parent, printable_line(to->number + " " + to->title));
+}
+
 // What fails, by name, each a link to where it is told.
 void put_failures(Composer& c, const std::vector<Entry>& sections, const Entry& checks) {
   const std::vector<Failure> all = failures_of(c.report);
   if (all.empty()) return;
-  put_subheading(c, "Failures");
+  put_subheading(c, "Failures", "H2");
   constexpr double found_at = 118 * mm, limit_at = 146 * mm;
+  const int table = c.add("Table");
   for (const Failure& f : all) {
     const Entry* entry = f.section.empty() ? &checks : entry_of(c, sections, f.section);
     const std::string text = coloured("<b>" + markup_line(f.name) + "</b>", bad) + (f.message.empty() ? "" : "\n" + markup_line(f.message));
     const Lines what(c.cr, text, body, found_at - 20), found(c.cr, markup_line(f.worst), body, limit_at - found_at - 6),
         limit(c.cr, markup_line(f.limit), body, text_width - limit_at);
     const double height = std::max({what.height(), found.height(), limit.height()}) + 5;
-    c.flow.put(
-        {.height = height, .draw = [=, destination = entry != nullptr ? entry->destination : std::string(), &flow = c.flow](cairo_t* cr) {
-           set_colour(cr, bad);
-           cairo_rectangle(cr, 0, 0, 3, height - 4);
-           cairo_fill(cr);
-           found.draw(cr, found_at, 0);
-           limit.draw(cr, limit_at, 0);
-           if (destination.empty()) return what.draw(cr, 14, 0);
-           flow.require(destination);
-           const Link link(cr, destination, {14, 0, found_at - 20, height - 4});
-           what.draw(cr, 14, 0);
-         }});
+    const int row = c.structure.add("TR", table), head = c.structure.add("TH", row, {}, Scope::row);
+    const int name = add_linked(c, head, entry), first = c.structure.add("TD", row), second = c.structure.add("TD", row);
+    c.flow.put({.height = height,
+                .reluctance = &f == &all.back() ? 0 : split_small,
+                .draw = [=, &c, destination = entry != nullptr ? entry->destination : std::string()](cairo_t* cr) {
+                  set_colour(cr, bad);
+                  cairo_rectangle(cr, 0, 0, 3, height - 4);
+                  cairo_fill(cr);
+                  draw_linked(c, cr, what, name, destination, {14, 0, found_at - 20, height - 4});
+                  {
+                    const Mark mark(cr, c.structure, first);
+                    found.draw(cr, found_at, 0);
+                  }
+                  const Mark mark(cr, c.structure, second);
+                  limit.draw(cr, limit_at, 0);
+                }});
   }
 }
 
@@ -178,9 +205,10 @@ void draw_bar(cairo_t* cr, double x, double y, double width, double height, doub
 // Name, number, how much of the limit it takes, the limit, where; one row each.
 void put_key_numbers(Composer& c, const std::vector<Entry>& sections) {
   if (c.report.key_numbers.empty()) return;
-  put_subheading(c, "Key numbers");
+  put_subheading(c, "Key numbers", "H2");
   constexpr double value_at = 55 * mm, bar_at = 90 * mm, bar_width = 27 * mm, limit_at = 120 * mm;
   const Style strong{{.size = body.font.size, .bold = true}, body.pitch};
+  const int table = c.add("Table");
   for (const KeyNumber& k : c.report.key_numbers) {
     const Entry* entry = entry_of(c, sections, k.section);
     const Lines what(c.cr, markup_line(k.what), body, value_at - 8), value(c.cr, markup_line(k.value), strong, bar_at - value_at - 6);
@@ -189,58 +217,98 @@ void put_key_numbers(Composer& c, const std::vector<Entry>& sections) {
     const Lines beside(c.cr, limit + (limit.empty() || where.empty() ? "" : "\n") + coloured(where, grey), secondary_ink,
                        text_width - limit_at);
     const double height = std::max({what.height(), value.height(), beside.height()}) + 5;
+    const int row = c.structure.add("TR", table), head = c.structure.add("TH", row, {}, Scope::row);
+    const int name = add_linked(c, head, entry), first = c.structure.add("TD", row), second = c.structure.add("TD", row);
     c.flow.put({.height = height,
-                .draw = [=, used = k.used, limited = k.limited(), destination = entry != nullptr ? entry->destination : "",
-                         &flow = c.flow](cairo_t* cr) {
-                  if (!destination.empty()) {
-                    flow.require(destination);
-                    const Link link(cr, destination, {0, 0, text_width, height});
-                    what.draw(cr, 0, 0);
-                  } else {
-                    what.draw(cr, 0, 0);
+                .reluctance = &k == &c.report.key_numbers.back() ? 0 : split_small,
+                .draw = [=, &c, used = k.used, limited = k.limited(),
+                         destination = entry != nullptr ? entry->destination : std::string()](cairo_t* cr) {
+                  draw_linked(c, cr, what, name, destination, {0, 0, text_width, height});
+                  {
+                    const Mark mark(cr, c.structure, first);
+                    value.draw(cr, value_at, 0);
                   }
-                  value.draw(cr, value_at, 0);
                   if (limited) draw_bar(cr, bar_at, 4, bar_width, 6, used);
-                  beside.draw(cr, limit_at, 0);
+                  {
+                    const Mark mark(cr, c.structure, second);
+                    beside.draw(cr, limit_at, 0);
+                  }
                   rule(cr, 0, height - 2.5, text_width, 0.3, hairline);
                 }});
   }
 }
 
-void put_finding(Composer& c, const std::vector<Entry>& sections, const Finding& f) {
+void put_finding(Composer& c, const std::vector<Entry>& sections, const Finding& f, int list) {
   const Entry* entry = entry_of(c, sections, f.section);
   std::string text = markup_line(f.text);
   if (f.kind == Finding::Kind::fault) text = "<b>" + text + "</b>";
   if (entry != nullptr) text += "  " + coloured("Section\u00A0" + markup_line(entry->number), accent);
   const Lines lines(c.cr, text, body, text_width - 14);
-  c.flow.put({.height = lines.height() + 4,
-              .draw = [lines, colour = colour_of(f.kind), destination = entry != nullptr ? entry->destination : std::string(),
-                       &flow = c.flow](cairo_t* cr) {
-                set_colour(cr, colour);
-                cairo_rectangle(cr, 0, 1, 3, lines.height() - 1);
-                cairo_fill(cr);
-                if (destination.empty()) return lines.draw(cr, 14, 0);
-                flow.require(destination);
-                const Link link(cr, destination, {14, 0, text_width - 14, lines.height()});
-                lines.draw(cr, 14, 0);
-              }});
+  const int element = add_linked(c, c.structure.add("LBody", c.structure.add("LI", list)), entry);
+  c.flow.put(
+      {.height = lines.height() + 4,
+       .draw = [=, &c, colour = colour_of(f.kind), destination = entry != nullptr ? entry->destination : std::string()](cairo_t* cr) {
+         set_colour(cr, colour);
+         cairo_rectangle(cr, 0, 1, 3, lines.height() - 1);
+         cairo_fill(cr);
+         draw_linked(c, cr, lines, element, destination, {14, 0, text_width - 14, lines.height()});
+       }});
 }
 
 // What was not looked at, or not decided, by name; and what nobody asked for.
 void put_not_examined(Composer& c) {
   const std::vector<std::string> told = unexamined(c.report);
   if (told.empty()) return;
-  put_subheading(c, "Not examined");
+  put_subheading(c, "Not examined", "H2");
   for (const std::string& s : told) put_lines(c, markup_line(s), secondary);
+}
+
+constexpr Style contents_style{body.font, 16};
+
+// Number, title, leaders and page of an entry, one link `width` wide.
+std::function<void(cairo_t*)> contents_line(Composer& c, const Entry& e, int table, double width) {
+  constexpr double number_width = 24, page_width = 22;  // [pt]
+  auto text = std::make_shared<figure::Text>(c.cr, markup_line(e.title), contents_style.font, 0, true);
+  pango_layout_set_width(text->layout(), static_cast<int>((width - number_width - page_width - 20) * PANGO_SCALE));
+  pango_layout_set_ellipsize(text->layout(), PANGO_ELLIPSIZE_END);
+  const Lines number(c.cr, markup_line(e.number), contents_style, 0);
+  const int item = c.structure.add("TOCI", table);
+  const int element = c.structure.add("Link", c.structure.add("Reference", item), printable_line(e.number + " " + e.title));
+  return [=, &c, destination = e.destination](cairo_t* cr) {
+    const std::string page_number = fmt::to_string(c.flow.page_of(destination));
+    const auto extents = text->extents();
+    const double baseline = contents_style.pitch / 2 + 0.346 * contents_style.font.size;
+    {
+      const Mark mark = Mark::link(cr, c.structure, element, destination, {0, 0, width, contents_style.pitch});
+      number.draw(cr, 0, 0);
+      set_colour(cr, ink);
+      text->show(number_width, baseline - extents.baseline);
+      Lines(cr, page_number, contents_style, 0).draw(cr, width - width_of(cr, page_number, contents_style.font), 0);
+    }
+    // Leaders are a dashed line of round dots: full stops would be read aloud and copied. They stand on one raster down the page.
+    constexpr double pitch = 4.2;
+    const double from = std::ceil((number_width + extents.width + 6) / pitch) * pitch, to = width - page_width;
+    if (from >= to) return;
+    const double dots[] = {0, pitch};
+    cairo_save(cr);
+    set_colour(cr, grey);
+    cairo_set_line_width(cr, 0.8);
+    cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
+    cairo_set_dash(cr, dots, 2, 0);
+    cairo_move_to(cr, from, baseline - 0.5);
+    cairo_line_to(cr, to, baseline - 0.5);
+    cairo_stroke(cr);
+    cairo_restore(cr);
+  };
 }
 
 }  // namespace
 
 void put_title(Composer& c, const std::vector<Entry>& sections, const Entry& checks) {
   const Report& r = c.report;
-  put_lines(c, r.title.empty() ? "Untitled report" : markup_line(r.title), title, 0, nullptr, true);
+  put_lines(c, c.add("H1"), r.title.empty() ? "Untitled report" : markup_line(r.title), title, {.keep_with_next = true});
   c.flow.gap(2);
-  if (!r.author.empty()) put_lines(c, markup_line(r.author), subheading, 0, nullptr, true);
+  if (!r.author.empty()) put_lines(c, markup_line(r.author), subheading, {.keep_with_next = true});
   c.flow.gap(5);
   c.flow.put({.height = 2, .draw = [](cairo_t* cr) { rule(cr, 0, 1, text_width, 1.2, ink); }, .keep_with_next = true});
   c.flow.gap(6);
@@ -256,53 +324,41 @@ void put_title(Composer& c, const std::vector<Entry>& sections, const Entry& che
   put_failures(c, sections, checks);
   put_key_numbers(c, sections);
   const auto told = [&](const Finding& f) { return told_by_a_failure(r, f); };
-  if (!std::ranges::all_of(r.findings, told)) put_subheading(c, "Findings");
-  for (const Finding& f : r.findings)
-    if (!told(f)) put_finding(c, sections, f);
+  if (!std::ranges::all_of(r.findings, told)) {
+    put_subheading(c, "Findings", "H2");
+    const int list = c.add("L");
+    for (const Finding& f : r.findings)
+      if (!told(f)) put_finding(c, sections, f, list);
+  }
   put_not_examined(c);
-  if (!r.summary.empty()) put_subheading(c, "What was asked");
+  if (!r.summary.empty()) put_subheading(c, "What was asked", "H2");
   for (const Paragraph& p : r.summary) put_paragraph(c, p);
   if (r.assumptions.empty()) return;
-  put_subheading(c, "Assumptions");
+  put_subheading(c, "Assumptions", "H2");
+  const int list = c.add("L");
   for (std::size_t i = 0; i < r.assumptions.size(); ++i)
-    put_lines(c, fmt::format("{}  {}", coloured(fmt::format("A{}", i + 1), grey), markup_line(r.assumptions[i])), body);
+    put_lines(c, c.structure.add("LBody", c.structure.add("LI", list)),
+              fmt::format("{}  {}", coloured(fmt::format("A{}", i + 1), grey), markup_line(r.assumptions[i])), body);
 }
 
 void put_contents(Composer& c, const std::vector<Entry>& entries) {
-  put_subheading(c, "Contents");
-  const Style style{body.font, 16};
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    constexpr double number_width = 24, page_width = 22;  // [pt]
-    const Entry& e = entries[i];
-    auto text = std::make_shared<figure::Text>(c.cr, markup_line(e.title), style.font, 0, true);
-    pango_layout_set_width(text->layout(), static_cast<int>((text_width - number_width - page_width - 20) * PANGO_SCALE));
-    pango_layout_set_ellipsize(text->layout(), PANGO_ELLIPSIZE_END);
-    const Lines number(c.cr, markup_line(e.number), style, 0);
-    Piece piece{.height = style.pitch, .keep_with_next = i == 0};
-    piece.draw = [=, destination = e.destination, &flow = c.flow](cairo_t* cr) {
-      const std::string page_number = fmt::to_string(flow.page_of(destination));
-      const Link link(cr, destination, {0, 0, text_width, style.pitch});
-      const Lines page(cr, page_number, style, 0);
-      number.draw(cr, 0, 0);
-      set_colour(cr, ink);
-      const auto extents = text->extents();
-      const double baseline = style.pitch / 2 + 0.346 * style.font.size;
-      text->show(number_width, baseline - extents.baseline);
-      const double page_left = text_width - width_of(cr, page_number, style.font);
-      page.draw(cr, page_left, 0);
-      // Leaders are a dashed line of round dots: full stops would be read aloud and copied. They stand on one raster down the page.
-      constexpr double pitch = 4.2;
-      const double from = std::ceil((number_width + extents.width + 6) / pitch) * pitch, to = text_width - page_width;
-      if (from >= to) return;
-      const double dots[] = {0, pitch};
+  put_subheading(c, "Contents", "H2");
+  const int table = c.add("TOC");
+  constexpr std::size_t most_in_one_column = 8;
+  const std::size_t columns = entries.size() > most_in_one_column ? 2 : 1, rows = (entries.size() + columns - 1) / columns;
+  constexpr double between = 10 * mm;
+  const double width = columns == 1 ? text_width : (text_width - between) / 2;
+  std::vector<std::function<void(cairo_t*)>> lines;
+  for (const Entry& e : entries) lines.push_back(contents_line(c, e, table, width));
+  for (std::size_t row = 0; row < rows; ++row) {
+    Piece piece{.height = contents_style.pitch, .reluctance = row + 1 < rows ? split_small : 0, .keep_with_next = row == 0 && rows > 1};
+    piece.draw = [first = lines[row], second = columns == 2 && rows + row < lines.size() ? lines[rows + row] : nullptr,
+                  width](cairo_t* cr) {
+      first(cr);
+      if (!second) return;
       cairo_save(cr);
-      set_colour(cr, grey);
-      cairo_set_line_width(cr, 0.8);
-      cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
-      cairo_set_dash(cr, dots, 2, 0);
-      cairo_move_to(cr, from, baseline - 0.5);
-      cairo_line_to(cr, to, baseline - 0.5);
-      cairo_stroke(cr);
+      cairo_translate(cr, width + between, 0);
+      second(cr);
       cairo_restore(cr);
     };
     c.flow.put(std::move(piece));

@@ -1,6 +1,7 @@
 // Pictures: decoded when they are drawn, one at a time; laid on white, so that the file needs no mask; no finer than print can show.
 #include <reports/document/narrowed.hpp>
 #include <reports/document/pdf/pdf_blocks.hpp>
+#include <reports/document/pdf/pdf_breaks.hpp>
 
 #include <fmt/format.h>
 
@@ -38,23 +39,43 @@ Shown show(Composer& c, const Picture& p, const std::string& text, double x, dou
 
 void put_shown(Composer& c, const std::vector<Shown>& row, bool keep_with_next) {
   double pictures = 0, texts = 0;
+  std::vector<int> figures, captions;
   for (const auto& s : row) {
     pictures = std::max(pictures, s.box.height);
     texts = std::max(texts, s.below.height());
+    figures.push_back(c.add("Figure", printable_line(s.picture->caption.empty() ? "Picture of the machine" : s.picture->caption)));
+    captions.push_back(c.add("Caption"));
   }
-  Piece piece{.height = pictures + 4 + texts, .keep_with_next = keep_with_next, .role = "Figure"};
-  piece.draw = [row, pictures](cairo_t* cr) {
-    for (const auto& s : row) draw_picture(cr, *s.picture, s.box);
-    for (const auto& s : row) s.below.draw(cr, s.box.x, pictures + 4);
+  Piece above{.height = pictures + 4, .keep_with_next = true};
+  above.draw_scaled = [&c, row, figures](cairo_t* cr, double scale) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const Box& whole = row[i].box;
+      const Box box{whole.x + (1 - scale) / 2 * whole.width, 0, scale * whole.width, scale * whole.height};
+      const Mark mark = Mark::figure(cr, c.structure, figures[i], box);
+      draw_picture(cr, *row[i].picture, box);
+    }
   };
-  c.flow.put(std::move(piece));
+  c.flow.put(std::move(above));
+  Piece below{.height = texts, .reluctance = split_paragraph, .keep_with_next = keep_with_next};
+  below.draw = [&c, row, captions](cairo_t* cr) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const Mark mark(cr, c.structure, captions[i]);
+      row[i].below.draw(cr, row[i].box.x, 0);
+    }
+  };
+  c.flow.put(std::move(below));
 }
-
-std::string letter(std::size_t i) { return i < 26 ? fmt::format("({})", static_cast<char>('a' + i)) : fmt::format("({})", i + 1); }
 
 }  // namespace
 
 void draw_picture(cairo_t* cr, const Picture& p, const Box& box) {
+  if (p.as_lines) {
+    cairo_save(cr);
+    cairo_translate(cr, box.x, box.y);
+    p.as_lines(cr, box.width);
+    cairo_restore(cr);
+    return;
+  }
   constexpr double pixels_per_point = 300.0 / 72;
   const Surface image = decoded(p.png, static_cast<int>(std::lround(box.width * pixels_per_point)));
   if (image) {
@@ -78,13 +99,13 @@ Box picture_box(const Picture& p, double width, double most_height) {
   return {0, 0, scale * width, scale * height};
 }
 
-void put_gallery(Composer& c, const Gallery& g) {
+void put_gallery(Composer& c, const Gallery& g, int number) {
   if (g.pictures.empty()) return;
   c.flow.gap(12);
   if (g.pictures.size() == 1) {
     const Picture& p = g.pictures.front();
     const std::string between = g.caption.empty() || p.caption.empty() ? "" : " ";
-    const std::string text = markup_line(g.caption) + between + markup_line(p.caption);
+    const std::string text = numbered("Figure", number, markup_line(g.caption) + between + markup_line(p.caption));
     constexpr double width = 140 * mm;
     put_shown(c, {show(c, p, text, (text_width - width) / 2, width, 0.6 * text_height)}, false);
   } else {
@@ -92,14 +113,13 @@ void put_gallery(Composer& c, const Gallery& g) {
     for (std::size_t i = 0; i < g.pictures.size(); i += 2) {
       std::vector<Shown> row;
       for (std::size_t j = i; j < std::min(i + 2, g.pictures.size()); ++j) {
-        const std::string text = coloured(letter(j) + " ", grey) + markup_line(g.pictures[j].caption);
+        const std::string text = coloured(letter_of(j) + " ", grey) + markup_line(g.pictures[j].caption);
         row.push_back(show(c, g.pictures[j], text, j == i ? 0 : text_width - width, width, 0.45 * text_height));
       }
       put_shown(c, row, i + 2 >= g.pictures.size());
       c.flow.gap(8);
     }
-    const Lines lines(c.cr, markup_line(g.caption), caption, text_width);
-    c.flow.put({.height = lines.height(), .draw = [lines](cairo_t* cr) { lines.draw(cr, 0, 0); }, .role = "Caption"});
+    put_lines(c, c.add("Caption"), numbered("Figure", number, markup_line(g.caption)), caption);
   }
   c.flow.gap(14);
 }

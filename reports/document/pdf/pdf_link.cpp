@@ -6,19 +6,30 @@
 
 namespace pmreport::document::pdf {
 
+Box on_paper(cairo_t* cr, const Box& box) {
+  double x = box.x, y = box.y;
+  cairo_user_to_device(cr, &x, &y);
+  return {x, y, box.width, box.height};
+}
+
 namespace {
 
 // Cairo takes the numbers in attributes in the page's own space, whatever the transformation.
 std::string rectangle(cairo_t* cr, const Box& box) {
-  double x = box.x, y = box.y;
-  cairo_user_to_device(cr, &x, &y);
-  return fmt::format("rect=[{:.2f} {:.2f} {:.2f} {:.2f}]", x, y, box.width, box.height);
+  const Box b = on_paper(cr, box);
+  return fmt::format("rect=[{:.2f} {:.2f} {:.2f} {:.2f}]", b.x, b.y, b.width, b.height);
 }
 
 }  // namespace
 
-Link::Link(cairo_t* cr, const std::string& destination, const Box& box)
-    : Tag(cr, CAIRO_TAG_LINK, fmt::format("dest='{}' {}", destination, rectangle(cr, box))) {}
+std::string link_to(cairo_t* cr, const std::string& destination, const Box& box) {
+  return fmt::format("dest='{}' {}", destination, rectangle(cr, box));
+}
+
+// Relative to the report: viewers resolve it against the place of the file they show.
+std::string file_link_to(cairo_t* cr, const std::string& file, const Box& box) {
+  return fmt::format("uri='{}' {}", file, rectangle(cr, box));
+}
 
 void set_destination(cairo_t* cr, const std::string& name) {
   double x = 0, y = 0;

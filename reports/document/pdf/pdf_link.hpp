@@ -1,7 +1,7 @@
-// Cairo's tags: structure, links and where they lead.
+// Cairo's tags: marks of content, links and where they lead.
 //
 // Cairo 1.16 writes a PDF that refers to objects it never wrote when a link stands outside all structure, so that one "Document" tag must
-// span the drawing of all pages. Only tags that hold no other tag enclose their text for a reader by ear.
+// span the drawing of all pages. Only tags that hold no other tag enclose their content.
 #pragma once
 
 #include <cairo.h>
@@ -29,12 +29,11 @@ struct Box {
   double x, y, width, height;  // user space [pt]
 };
 
-// While it lives, what is drawn belongs to a link; a click into `box` leads to `destination`, a name from `destination_name` that the flow
-// knows.
-class Link : Tag {
- public:
-  Link(cairo_t* cr, const std::string& destination, const Box& box);
-};
+Box on_paper(cairo_t* cr, const Box& box);  // from the top left corner of the paper [pt]
+
+// Attributes of a link by which a click into `box` leads to a named destination, or to a file beside the report.
+std::string link_to(cairo_t* cr, const std::string& destination, const Box& box);
+std::string file_link_to(cairo_t* cr, const std::string& file, const Box& box);
 
 // The origin of user space becomes the place that `name` leads to, a little air above it.
 void set_destination(cairo_t* cr, const std::string& name);

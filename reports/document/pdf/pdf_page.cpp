@@ -1,3 +1,4 @@
+#include <reports/document/pdf/pdf_breaks.hpp>
 #include <reports/document/pdf/pdf_page.hpp>
 
 #include <algorithm>
@@ -6,80 +7,62 @@
 
 namespace pmreport::document::pdf {
 
-namespace {
+void Flow::gap(double height) { gap_ = std::max(gap_, height); }
 
-// Rounding of sums must not push a line that fits exactly to the next page.
-bool fits(double bottom) { return bottom <= text_height + 0.01; }
+void Flow::block(Kind kind) {
+  ++block_;
+  kind_ = kind;
+}
 
-}  // namespace
-
-// Gaps that meet are one gap, as large as the largest. Between kept pieces they belong to the group: they are pieces without ink, so that a
-// group's height is a sum.
-void Flow::gap(double height) {
-  if (kept_.empty()) {
-    gap_ = std::max(gap_, height);
-  } else if (!kept_.back().draw) {
-    kept_.back().height = std::max(kept_.back().height, height);
-  } else {
-    kept_.push_back({.height = height, .keep_with_next = true});
-  }
+void Flow::section(const std::string& running_title) {
+  sections_.push_back(running_title);
+  block(Kind::text);
 }
 
 void Flow::put(Piece piece) {
-  const bool last = !piece.keep_with_next;
-  if (kept_.empty()) gap_before_kept_ = std::exchange(gap_, 0);
-  kept_.push_back(std::move(piece));
-  if (last) place();
-}
-
-void Flow::place() {
-  double height = 0;
-  for (const auto& p : kept_) height += p.height;
-  if (pages_.empty()) pages_.push_back({section_, {}});
-  if (!at_top()) {
-    if (!fits(y_ + gap_before_kept_ + height)) {
-      break_page();
-    } else {
-      y_ += gap_before_kept_;
-    }
-  }
-  if (pages_.back().pieces.empty()) pages_.back().section = section_;
-  for (auto& p : kept_) {
-    // A group higher than a page must break somewhere.
-    if (!fits(y_ + p.height) && !at_top()) break_page();
-    if (!p.destination.empty() && !destinations_.emplace(p.destination, static_cast<int>(pages_.size())).second) {
-      throw std::logic_error("two places of the report are called " + p.destination);
-    }
-    if (p.begins) continuation_ = p.begins;
-    if (p.ends) continuation_.reset();
-    const double piece_height = p.height;
-    pages_.back().pieces.push_back({text_top + y_, std::move(p)});
-    y_ += piece_height;
-  }
-  kept_.clear();
-}
-
-void Flow::break_page() {
-  if (continuation_) pages_.back().pieces.push_back({text_top + y_, continuation_->foot});
-  pages_.push_back({section_, {}});
-  top_ = 0;
-  if (continuation_) {
-    pages_.back().pieces.push_back({text_top, continuation_->head});
-    top_ = continuation_->head.height;
-  }
-  y_ = top_;
-}
-
-void Flow::new_page() {
-  if (!kept_.empty()) place();
-  gap_ = 0;
-  if (!pages_.empty() && !at_top()) break_page();
+  if (!piece.destination.empty() && !destinations_.emplace(piece.destination, 0).second)
+    throw std::logic_error("two places of the report are called " + piece.destination);
+  piece.reluctance = piece.keep_with_next ? never : piece.reluctance + reluctance_;
+  const int section = static_cast<int>(sections_.size()) - 1;
+  waiting_.push_back({std::move(piece), std::exchange(gap_, 0), block_, section, kind_, continuation_});
+  const Piece& put = waiting_.back().piece;
+  if (put.begins) continuation_ = put.begins;
+  if (put.ends) continuation_.reset();
 }
 
 const std::vector<Page>& Flow::finish() {
-  if (!kept_.empty()) place();
-  if (pages_.empty()) pages_.push_back({section_, {}});
-  while (pages_.size() > 1 && pages_.back().pieces.empty()) pages_.pop_back();
+  std::vector<Item> items;
+  for (const Waiting& w : waiting_) {
+    items.push_back({.height = w.piece.height,
+                     .scales = static_cast<bool>(w.piece.draw_scaled),
+                     .gap = w.gap,
+                     .reluctance = w.piece.reluctance,
+                     .block = w.block,
+                     .section = w.section,
+                     .may_move = w.kind == Kind::picture,
+                     .text = w.kind == Kind::text,
+                     .head = w.within ? w.within->head.height : 0});
+  }
+  for (const Sheet& sheet : break_pages(items, text_height)) {
+    const Waiting& first = waiting_[sheet.items.front()];
+    // A table that goes on is closed where the page before ends.
+    if (first.within) {
+      Page& before = pages_.back();
+      const Placed& last = before.pieces.back();
+      before.pieces.push_back({last.y + last.piece.height * last.scale, first.within->foot});
+    }
+    Page& page = pages_.emplace_back(sections_[static_cast<std::size_t>(first.section)]);
+    page.white = std::max(0.0, 1 - sheet.used / text_height);
+    if (first.within) page.pieces.push_back({text_top, first.within->head});
+    for (std::size_t k = 0; k < sheet.items.size(); ++k) {
+      Piece& piece = waiting_[sheet.items[k]].piece;
+      if (!piece.destination.empty()) destinations_[piece.destination] = static_cast<int>(pages_.size());
+      const double scale = piece.draw_scaled ? sheet.scale : 1;
+      page.pieces.push_back({text_top + sheet.y[k], std::move(piece), scale});
+    }
+  }
+  waiting_.clear();
+  if (pages_.empty()) pages_.push_back({sections_.back(), {}});
   return pages_;
 }
 

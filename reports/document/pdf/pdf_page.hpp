@@ -1,5 +1,5 @@
-// The paper, and the flow of pieces down its pages. Pages are settled before anything is drawn, so that contents and footers know their
-// numbers.
+// The paper, and the flow of pieces down its pages. All pages are settled together before anything is drawn: a page's end looks ahead, and
+// contents and footers know their numbers.
 #pragma once
 
 #include <cairo.h>
@@ -21,12 +21,14 @@ struct Continuation;
 
 // What never breaks over a page: a line, a row of a table, a figure.
 struct Piece {
-  double height = 0;                             // [pt]
-  std::function<void(cairo_t*)> draw{};          // top left corner at the origin, text_width wide; may be empty
-  bool keep_with_next = false;                   // on the page of the piece after it
-  std::string destination{};                     // a link may lead here; empty: none
-  const char* role = "P";                        // for readers by ear: "H1", "P", "Figure" as PDF calls them; a string literal
-  std::shared_ptr<const Continuation> begins{};  // in force after this piece, until one that ends it
+  double height = 0;                                    // [pt]
+  double reluctance = 0;                                // of a page to end after it, see pdf_breaks.hpp
+  std::function<void(cairo_t*)> draw{};                 // top left corner at the origin, text_width wide; may be empty
+  std::function<void(cairo_t*, double)> draw_scaled{};  // instead of `draw` for what may shrink to `least_scale` where a page needs it
+  bool keep_with_next = false;                          // on the page of the piece after it
+  std::string destination{};                            // a link may lead here; empty: none
+  int element = -1;                                     // of the structure, that all of it belongs to; -1: it marks its parts itself
+  std::shared_ptr<const Continuation> begins{};         // in force after this piece, until one that ends it
   bool ends = false;
 };
 
@@ -38,21 +40,27 @@ struct Continuation {
 struct Placed {
   double y;  // of the top, from the top edge of the paper [pt]
   Piece piece;
+  double scale = 1;
 };
 
 struct Page {
   std::string section;  // in force where the page begins
   std::vector<Placed> pieces;
+  double white = 0;  // at its foot, share of the text's height
 };
 
 class Flow {
  public:
   void put(Piece piece);
-  void gap(double height);  // white, gone at the top of a page [pt]
-  void new_page();
-  void section(const std::string& running_title) { section_ = running_title; }
+  void gap(double height);  // white, gone at the top of a page; gaps that meet are one, as large as the largest [pt]
+  // What is put from here on is one block, until the next begins. A picture may stand after the blocks that follow it in its section where
+  // a page ends better so; it never overtakes another.
+  enum class Kind { text, picture, table };
+  void block(Kind kind);
+  void section(const std::string& running_title);       // begins one
+  void reluctance(double cost) { reluctance_ = cost; }  // of a page to end after any piece that is put from here on
 
-  // Sets what is still kept back, and gives the pages; there is at least one. Nothing may be put afterwards.
+  // Settles the pages; there is at least one. Nothing may be put afterwards.
   const std::vector<Page>& finish();
 
   // Page of a destination, 1 for the first. Throws std::logic_error when none has that name: Cairo would write a dead link without a word.
@@ -60,19 +68,21 @@ class Flow {
   void require(const std::string& destination) const { page_of(destination); }
 
  private:
-  void place();
-  void break_page();
-  bool at_top() const { return y_ <= top_; }
-
-  std::vector<Page> pages_;
-  double top_ = 0;           // where this page's own pieces begin, below text_top and what a table repeats [pt]
-  double y_ = 0;             // of the next piece, below text_top [pt]
-  double gap_ = 0;           // before the next piece [pt]
-  std::vector<Piece> kept_;  // waits for the piece that it must stay with
-  double gap_before_kept_ = 0;
-  std::string section_;
+  struct Waiting {
+    Piece piece;
+    double gap;  // before it [pt]
+    int block, section;
+    Kind kind;
+    std::shared_ptr<const Continuation> within;  // what a page that begins with it continues
+  };
+  std::vector<Waiting> waiting_;
+  std::vector<std::string> sections_{""};
+  double gap_ = 0, reluctance_ = 0;
+  int block_ = 0;
+  Kind kind_ = Kind::text;
   std::shared_ptr<const Continuation> continuation_;
-  std::map<std::string, int> destinations_;
+  std::vector<Page> pages_;
+  std::map<std::string, int> destinations_;  // page, 0 as long as it waits
 };
 
 }  // namespace pmreport::document::pdf

@@ -14,7 +14,7 @@ std::string smaller(const std::string& markup, const Colour& c) { return "<span 
 void put_proof(Composer& c, const Proof& p) {
   if (p.lines.empty()) return;
   Grid g{.caption = "Evidence",
-         .numbered = false,
+         .number = 0,
          .headings = {"Claim", "Value", "Tolerance", "Result"},
          .numeric = {false, true, true, false},
          .rows = {},
@@ -29,12 +29,8 @@ void put_proof(Composer& c, const Proof& p) {
 }
 
 void put_checks(Composer& c, const std::vector<Check>& checks) {
-  if (checks.empty()) {
-    put_lines(c, "The scenario asks for no check.", body);
-    return;
-  }
   Grid g{.caption = "",
-         .numbered = false,
+         .number = 0,
          .headings = {"Check", "Measured", "Limit", "Line", "Result"},
          .numeric = {false, true, true, true, false},
          .rows = {},

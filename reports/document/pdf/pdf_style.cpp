@@ -68,7 +68,8 @@ Lines::Lines(cairo_t* cr, const std::string& markup, const Style& style, double 
   do {
     PangoRectangle logical;
     pango_layout_iter_get_line_extents(at.get(), nullptr, &logical);
-    lines_.push_back({pango_layout_iter_get_line_readonly(at.get()), static_cast<double>(logical.x) / PANGO_SCALE});
+    lines_.push_back({pango_layout_iter_get_line_readonly(at.get()), static_cast<double>(logical.x) / PANGO_SCALE,
+                      static_cast<double>(logical.width) / PANGO_SCALE});
   } while (pango_layout_iter_next_line(at.get()));
 }
 

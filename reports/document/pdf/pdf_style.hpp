@@ -50,14 +50,15 @@ class Lines {
  public:
   Lines(cairo_t* cr, const std::string& markup, const Style& style, double width);
   int count() const { return static_cast<int>(lines_.size()); }
-  double height() const { return count() * style_.pitch; }          // [pt]
+  double height() const { return count() * style_.pitch; }  // [pt]
+  double width(int line) const { return lines_[static_cast<std::size_t>(line)].width; }
   void draw_line(cairo_t* cr, int line, double x, double y) const;  // (x, y): top left corner of the line
   void draw(cairo_t* cr, double x, double y) const;
 
  private:
   struct Line {
     PangoLayoutLine* line;
-    double x;  // [pt]
+    double x, width;  // [pt]
   };
   std::shared_ptr<figure::Text> text_;
   std::vector<Line> lines_;

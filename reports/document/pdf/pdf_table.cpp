@@ -1,3 +1,4 @@
+#include <reports/document/pdf/pdf_breaks.hpp>
 #include <reports/document/pdf/pdf_table.hpp>
 
 #include <fmt/format.h>
@@ -6,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
+#include <optional>
 
 namespace pmreport::document::pdf {
 
@@ -97,21 +99,37 @@ double height_of(const Row& row) {
   return height + above + below;
 }
 
-void draw_row(cairo_t* cr, const Row& row, const Layout& layout, const std::vector<bool>& numeric, double y, bool at_bottom) {
+// Cells are content of `elements`, one each; of none where the row repeats another.
+void draw_row(cairo_t* cr, Structure& structure, const Row& row, const std::vector<int>& elements, const Layout& layout,
+              const std::vector<bool>& numeric, double y, bool at_bottom) {
   const double height = height_of(row);
-  set_colour(cr, ink);
   for (std::size_t j = 0; j < row.size(); ++j) {
     const double x = layout.x[j] + (numeric[j] ? layout.width[j] - row[j].extents.width : 0);
-    row[j].text->show(x, y + (at_bottom ? height - below - row[j].extents.height : above));
+    const double top = y + (at_bottom ? height - below - row[j].extents.height : above);
+    std::optional<Mark> mark;
+    if (!elements.empty()) mark.emplace(cr, structure, elements[j]);
+    set_colour(cr, ink);
+    row[j].text->show(x, top);
   }
 }
 
-void put_rows(Composer& c, const Grid& g, const std::string& name) {
+// A row of the structure: headings of columns, or a heading and its values.
+std::vector<int> add_row(Structure& structure, int parent, std::size_t cells, bool headings) {
+  const int row = structure.add("TR", parent);
+  std::vector<int> elements;
+  for (std::size_t j = 0; j < cells; ++j) {
+    const bool heads = headings || j == 0;
+    elements.push_back(structure.add(heads ? "TH" : "TD", row, {}, headings ? Scope::column : heads ? Scope::row : Scope::none));
+  }
+  return elements;
+}
+
+void put_rows(Composer& c, const Grid& g, const std::string& name, int table) {
   const auto layout = std::make_shared<const Layout>(lay_out(c.cr, g));
   const auto heading = std::make_shared<const Row>(set_row(c.cr, g, *layout, g.headings, true));
-  const auto draw_heading = [layout, heading, numeric = g.numeric](cairo_t* cr, double y) {
+  const auto draw_heading = [&c, layout, heading, numeric = g.numeric](cairo_t* cr, double y, const std::vector<int>& elements) {
     rule(cr, 0, y, layout->total, 0.9, ink);
-    draw_row(cr, *heading, *layout, numeric, y + 1, true);
+    draw_row(cr, c.structure, *heading, elements, *layout, numeric, y + 1, true);
     rule(cr, 0, y + height_of(*heading) + 1.5, layout->total, 0.5, ink);
   };
   const double heading_height = height_of(*heading) + 3;
@@ -122,23 +140,33 @@ void put_rows(Composer& c, const Grid& g, const std::string& name) {
   over.head.height = again.height() + 3 + heading_height;
   over.head.draw = [again, draw_heading](cairo_t* cr) {
     again.draw(cr, 0, 0);
-    draw_heading(cr, again.height() + 3);
+    draw_heading(cr, again.height() + 3, {});
   };
-  Piece top{.height = heading_height, .draw = [draw_heading](cairo_t* cr) { draw_heading(cr, 0); }, .keep_with_next = true};
+  Piece top{.height = heading_height, .keep_with_next = true};
+  const std::vector<int> headings = add_row(c.structure, c.structure.add("THead", table), g.headings.size(), true);
+  top.draw = [draw_heading, headings](cairo_t* cr) { draw_heading(cr, 0, headings); };
   top.begins = std::make_shared<const Continuation>(std::move(over));
   c.flow.put(std::move(top));
 
-  constexpr std::size_t short_table = 6;  // is not broken
   const std::size_t n = g.rows.size();
+  std::vector<std::shared_ptr<const Row>> rows;
+  double total = heading_height;
+  for (const auto& cells : g.rows) {
+    rows.push_back(std::make_shared<const Row>(set_row(c.cr, g, *layout, cells, false)));
+    total += height_of(*rows.back());
+  }
+  constexpr std::size_t small_table = 12;
+  const double reluctance = n > small_table ? split_large : total <= most_white * text_height ? split_small : split_low;
+  const int all = c.structure.add("TBody", table);
   for (std::size_t i = 0; i < n; ++i) {
-    const auto row = std::make_shared<const Row>(set_row(c.cr, g, *layout, g.rows[i], false));
     const bool last = i + 1 == n;
-    Piece piece{.height = height_of(*row) + (last ? 3 : 0)};
-    piece.draw = [row, layout, numeric = g.numeric, last](cairo_t* cr) {
-      draw_row(cr, *row, *layout, numeric, 0, false);
+    Piece piece{.height = height_of(*rows[i]) + (last ? 3 : 0), .reluctance = last ? 0 : reluctance};
+    piece.draw = [&c, row = rows[i], elements = add_row(c.structure, all, g.headings.size(), false), layout, numeric = g.numeric,
+                  last](cairo_t* cr) {
+      draw_row(cr, c.structure, *row, elements, *layout, numeric, 0, false);
       if (last) rule(cr, 0, height_of(*row) + 1.5, layout->total, 0.9, ink);
     };
-    piece.keep_with_next = !last && (n <= short_table || i == 0 || i + 2 == n);
+    piece.keep_with_next = !last && (i == 0 || i + 2 == n);
     piece.ends = last;
     c.flow.put(std::move(piece));
   }
@@ -178,24 +206,26 @@ Fit fit_columns(const std::vector<double>& natural, const std::vector<double>& t
 }
 
 void put_grid(Composer& c, const Grid& g) {
-  std::string name;
   c.flow.gap(12);
-  if (g.numbered) {
-    name = fmt::format("Table {}", ++c.tables);
-    put_lines(c, numbered("Table", c.tables, markup_line(g.caption)), caption, 0, nullptr, true);
+  if (g.number == 0 && !g.caption.empty()) put_subheading(c, g.caption);
+  const bool empty = g.rows.empty() || g.headings.empty();
+  const int table = empty ? -1 : c.add("Table");
+  std::string name;
+  if (g.number > 0) {
+    name = fmt::format("Table {}", g.number);
+    const int element = empty ? c.add("P") : c.structure.add("Caption", table);
+    put_lines(c, element, numbered("Table", g.number, markup_line(g.caption)), caption, {.keep_with_next = true});
     c.flow.gap(4);
-  } else if (!g.caption.empty()) {
-    put_subheading(c, g.caption);
   }
-  if (g.rows.empty() || g.headings.empty()) {
+  if (empty) {
     put_lines(c, "No rows.", secondary);
   } else {
-    put_rows(c, g, name);
+    put_rows(c, g, name, table);
   }
   c.flow.gap(12);
 }
 
-void put_table(Composer& c, const Table& t) {
+void put_table(Composer& c, const Table& t, int number) {
   std::size_t columns = t.headings.size();
   for (const auto& row : t.rows) columns = std::max(columns, row.size());
   const std::size_t shown_columns = std::min(columns, most_columns), shown_rows = std::min(t.rows.size(), most_rows);
@@ -204,7 +234,7 @@ void put_table(Composer& c, const Table& t) {
     for (std::size_t j = 0; j < std::min(cells.size(), shown_columns); ++j) result[j] = markup_line(cells[j]);
     return result;
   };
-  Grid g{.caption = t.caption, .headings = markup_of(t.headings), .numeric = t.numeric, .rows = {}};
+  Grid g{.caption = t.caption, .number = number, .headings = markup_of(t.headings), .numeric = t.numeric, .rows = {}};
   g.numeric.resize(shown_columns, false);
   for (std::size_t i = 0; i < shown_rows; ++i) g.rows.push_back(markup_of(t.rows[i]));
   put_grid(c, g);

@@ -9,8 +9,8 @@
 namespace pmreport::document::pdf {
 
 struct Grid {
-  std::string caption;                         // plain; empty with `numbered` false: none
-  bool numbered = true;                        // "Table 2."
+  std::string caption;                         // plain; empty without a number: none
+  int number = 0;                              // "Table 2."; 0: none, the caption is a heading
   std::vector<std::string> headings;           // markup, as the cells are
   std::vector<bool> numeric;                   // as many as headings
   std::vector<std::vector<std::string>> rows;  // each as long as headings

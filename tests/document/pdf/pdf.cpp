@@ -100,11 +100,10 @@ TEST_CASE("the PDF carries the date that SOURCE_DATE_EPOCH asks for, and none th
   for (const char* nonsense : {"", "yesterday", "-5", "12x", "99999999999999999999"}) {
     const Environment date("SOURCE_DATE_EPOCH", nonsense);
     CAPTURE(nonsense);
-    CHECK_FALSE(contains(to_pdf(Report{}), "CreationDate"));
+    if (const auto info = ask("pdfinfo {}", to_pdf(Report{}))) CHECK_FALSE(contains(*info, "CreationDate"));
   }
   const Environment date("SOURCE_DATE_EPOCH", "1700000000");  // date -u -d @1700000000: Tue Nov 14 22:13:20 UTC 2023
   const std::string pdf = to_pdf(Report{});
-  CHECK(contains(pdf, "/CreationDate (D:20231114221320Z)"));
   if (const auto said = ask("qpdf --check {}", pdf)) CHECK(contains(*said, "No syntax or stream encoding errors found"));
   if (const auto info = ask("pdfinfo -isodates {}", pdf)) CHECK(sample::field(*info, "CreationDate") == "2023-11-14T22:13:20Z");
 }
@@ -136,7 +135,7 @@ TEST_CASE("all that the report says can be read in the PDF, as it was typed") {
                            "Figure 6.",
                            "Table 3.",
                            "Data: data/displacement.csv",
-                           "data/mesh.stl: boundary of the workspace, 5 B",
+                           "boundary of the workspace",
                            "max(abs(actuator_force)) < 400 N",
                            "limb 3 needs 812.4 mm",
                            "use = \"4sps-spr\"",
@@ -154,7 +153,7 @@ TEST_CASE("every section is a destination, an entry of the outline and of the co
   const auto destinations = ask("pdfinfo -dests {}", pdf);
   const auto plain = ask("qpdf --qdf --object-streams=disable {} -", pdf);
   if (!destinations || !plain) return;
-  const int entries = static_cast<int>(r.sections.size()) + 3;
+  const int entries = static_cast<int>(r.sections.size()) + 3, links_to_data = 6;
   for (const char* name :
        {"mechanism", "snapshots", "displacement", "velocity", "acceleration", "statics", "checks", "scenario", "provenance"}) {
     CAPTURE(name);
@@ -162,9 +161,9 @@ TEST_CASE("every section is a destination, an entry of the outline and of the co
   }
   CHECK(count(*destinations, "XYZ") == entries);
   const int pointers_of_the_verdict = 3;  // to the failed check, and to each failed line of evidence
-  CHECK(count(*plain, "/Subtype /Link") == entries + pointers_of_the_verdict);
+  CHECK(count(*plain, "/Subtype /Link") == entries + pointers_of_the_verdict + links_to_data);
   CHECK(contains(*plain, "/Title (3  Displacement)"));
-  CHECK(contains(*plain, "/Title (B  Provenance)"));
+  CHECK(contains(*plain, "/Title (Provenance)"));
   CHECK(contains(*plain, "/PageLabels"));
 }
 
@@ -172,7 +171,7 @@ TEST_CASE("sections of one name, or of no usable name, keep their own destinatio
   Report r;
   for (const char* id : {"a", "a", "checks", "x'y] \\", ""}) r.sections.push_back({id, "", "Section", {}});
   const auto destinations = ask("pdfinfo -dests {}", to_pdf(r));
-  if (destinations) CHECK(count(*destinations, "XYZ") == 5 + 3);
+  if (destinations) CHECK(count(*destinations, "XYZ") == 5 + 2);  // and scenario and provenance
 }
 
 TEST_CASE("contents give the page on which a section begins") {

@@ -102,8 +102,9 @@ TEST_CASE("pieces never overlap, never leave the page, keep their order and stay
 TEST_CASE("a table that goes over a page is closed below and opened again above") {
   Flow flow;
   Continuation over{piece(0), piece(2 * tenth)};
-  over.foot.role = "foot";
-  over.head.role = "head";
+  constexpr int foot = 7, head = 8;
+  over.foot.element = foot;
+  over.head.element = head;
   Piece first = piece(tenth);
   first.begins = std::make_shared<const Continuation>(over);
   flow.put(first);
@@ -114,11 +115,11 @@ TEST_CASE("a table that goes over a page is closed below and opened again above"
   fill(flow, 10);
   const auto& pages = flow.finish();
   REQUIRE(pages.size() == 3);
-  CHECK(std::string(pages[0].pieces.back().piece.role) == "foot");
+  CHECK(pages[0].pieces.back().piece.element == foot);
   CHECK(pages[0].pieces.back().y == Approx(text_top + text_height));
-  CHECK(std::string(pages[1].pieces.front().piece.role) == "head");
+  CHECK(pages[1].pieces.front().piece.element == head);
   CHECK(pages[1].pieces[1].y == Approx(text_top + 2 * tenth));
-  CHECK(std::string(pages[2].pieces.front().piece.role) != "head");
+  CHECK(pages[2].pieces.front().piece.element != head);
 }
 
 TEST_CASE("a piece higher than a page has a page of its own, and the flow goes on") {
@@ -131,8 +132,7 @@ TEST_CASE("a piece higher than a page has a page of its own, and the flow goes o
 
 TEST_CASE("a page carries the section that its first line belongs to") {
   Flow flow;
-  flow.put(piece(tenth));
-  flow.new_page();
+  flow.put(piece(10 * tenth));
   flow.section("one");
   fill(flow, 9);
   flow.section("two");

@@ -1,0 +1,74 @@
+// Pictures that are there as vectors too.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <tests/document/sample.hpp>
+
+#include <reports/document/names.hpp>
+#include <reports/document/write.hpp>
+
+using namespace pmreport::document;
+
+namespace {
+
+constexpr const char* drawn =
+    "<svg width=\"10pt\" height=\"5pt\" viewBox=\"0 0 10 5\" role=\"img\">\n<title>t</title>\n<path style=\"fill:none\"/></svg>\n";
+
+// The sample, its first snapshot with vectors.
+Report with_vectors() {
+  Report r = sample::report();
+  for (Section& s : r.sections)
+    for (Block& b : s.blocks)
+      if (auto* g = std::get_if<Gallery>(&b)) {
+        g->pictures[0].pdf = "%PDF-of-a-picture";
+        g->pictures[0].svg = drawn;
+        return r;
+      }
+  FAIL("the sample has no pictures");
+  return r;
+}
+
+Picture& first_picture(Report& r) {
+  for (Section& s : r.sections)
+    for (Block& b : s.blocks)
+      if (auto* g = std::get_if<Gallery>(&b)) return g->pictures[0];
+  throw std::logic_error("the sample has no pictures");
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("a picture's vectors are written beside its PNG, listed, and linked below it") {
+  const Report r = with_vectors();
+  const sample::Folder folder;
+  write(r, folder / "report");
+  CHECK(sample::bytes_of(folder / "report/snapshots/pose-0.pdf") == "%PDF-of-a-picture");
+  CHECK(sample::bytes_of(folder / "report/snapshots/pose-0.svg") == drawn);
+  const auto json = nlohmann::json::parse(to_json(r));
+  const auto files = json["files"].get<std::vector<std::string>>();
+  for (const char* name : {"snapshots/pose-0.pdf", "snapshots/pose-0.svg"}) {
+    CAPTURE(name);
+    CHECK(std::find(files.begin(), files.end(), name) != files.end());
+    CHECK(contains(to_html(r), std::string("href=\"") + name + "\""));
+  }
+  CHECK(json["snapshots"][0]["pdf"] == "snapshots/pose-0.pdf");
+  CHECK(json["snapshots"][0]["svg"] == "snapshots/pose-0.svg");
+  CHECK_FALSE(json["snapshots"][1].contains("pdf"));
+  CHECK_FALSE(contains(to_html(r), "pose-5.pdf"));
+}
+
+TEST_CASE("a line drawing stands in the page and in the PDF as vectors, other pictures as pixels") {
+  Report r = with_vectors();
+  const std::string as_pixels = to_html(r);
+  CHECK_FALSE(contains(as_pixels, "<path fill=\"none\"/>"));
+  int asked = 0;
+  double width = 0;
+  first_picture(r).as_lines = [&](cairo_t*, double w) { ++asked, width = w; };
+  const std::string html = to_html(r);
+  CHECK(contains(html, "<path fill=\"none\"/>"));
+  CHECK(contains(html, "<div class=\"lines\" role=\"img\" aria-label=\""));
+  CHECK(html.find("<img") != std::string::npos);  // the second picture
+  const std::string pdf = to_pdf(r);
+  CHECK(asked > 0);
+  CHECK(width > 100);
+}
