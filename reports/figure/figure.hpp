@@ -30,6 +30,15 @@ struct Band {  // shaded interval of x: samples that break a limit, or cannot be
 struct Line {  // horizontal reference line: a limit
   double y;
   std::string label;  // "stroke ends", drawn small at its right end; may be empty
+  // On which side of it nothing may be: hatched up to the frame. Where the line is off the scale, the panel says so.
+  enum class Forbids { nothing, above, below } forbids = Forbids::nothing;
+};
+
+struct Mark {  // a point of a curve that counts, with its number beside it
+  double x, y;
+  std::string label;
+  int style = 0;        // of its curve
+  bool strong = false;  // bold: it counts most
 };
 
 // Values over a grid as colours. The panel's axes are those of the grid; its curves are drawn over the map, a style of 0 solid, others
@@ -62,6 +71,13 @@ struct Panel {
   std::optional<ColourMap> map = {};
   std::vector<NamedLine> named = {};
   bool equal = false;  // x and y to one scale, a drawing, not a diagram: the frame is as large as its data then need
+  std::vector<Mark> marks = {};
+};
+
+// Small multiples: panels row by row, the names of their rows at the left and of their columns on top. Panels of a column share one scale
+// of y, all share that of x; the figure has no letters and no legend, for a row has one curve in each panel.
+struct Multiples {
+  std::vector<std::string> rows, columns;
 };
 
 enum class Width { column, full };  // 85 mm and 174 mm, the two widths of a journal
@@ -73,6 +89,7 @@ struct Figure {
   Width width = Width::full;
   int columns = 2;  // panels side by side at full width
   std::vector<Panel> panels;
+  std::optional<Multiples> multiples = {};
 };
 
 // What a panel is called in a figure that has several: a, b, ... z, aa.

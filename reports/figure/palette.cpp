@@ -1,6 +1,7 @@
 #include <reports/figure/palette.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace pmreport::figure {
@@ -41,6 +42,14 @@ LineStyle line_style(int style) {
 int style_of(int colour, int dash) { return colour + colours * ((dash - colour + colours) % colours); }
 
 LineStyle line_over_map(int style) { return {rgb(0x007A33), style == 0 ? std::vector<double>{} : std::vector<double>{4.5, 1.7}}; }
+
+Colour as_text(const Colour& colour) {
+  const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+  Colour out = colour;
+  while (1.05 / (0.2126 * linear(out.red) + 0.7152 * linear(out.green) + 0.0722 * linear(out.blue) + 0.05) < 4.5)
+    out = {0.96 * out.red, 0.96 * out.green, 0.96 * out.blue};
+  return out;
+}
 
 void set_colour(cairo_t* cr, const Colour& colour) { cairo_set_source_rgb(cr, colour.red, colour.green, colour.blue); }
 

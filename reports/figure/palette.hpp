@@ -45,6 +45,9 @@ constexpr Colour limit_tint{1.00, 0.93, 0.78};
 constexpr Colour limit_hatch{0.90, 0.66, 0.20};
 constexpr Colour unreachable_tint{0.88, 0.88, 0.88};
 
+// A colour darkened until it stands out from white by 4.5:1, as text must (WCAG 2.1, 1.4.3).
+Colour as_text(const Colour& colour);
+
 void set_colour(cairo_t* cr, const Colour& colour);
 
 }  // namespace pmreport::figure

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include <reports/figure/layout/layout.hpp>
+#include <reports/figure/layout/marks.hpp>
 #include <reports/figure/palette.hpp>
 #include <reports/figure/parts.hpp>
 #include <reports/figure/shading.hpp>
@@ -56,6 +57,7 @@ void draw_axes(cairo_t* cr, const PanelLayout& layout) {
 void draw_numbers(cairo_t* cr, const PanelLayout& layout) {
   const Font font{.size = tick_size};
   for (const Tick& tick : layout.x.major) {
+    if (!layout.x_numbered) break;
     const Text text(cr, tick.label, font);
     text.show(across(layout, tick.value) - text.extents().width / 2, layout.frame.height + tick_length + tick_gap);
   }
@@ -74,7 +76,14 @@ void draw_titles(cairo_t* cr, const Panel& panel, const PanelLayout& layout) {
     pango_layout_set_alignment(text.layout(), PANGO_ALIGN_CENTER);
     return text;
   };
-  centred(axis_title(panel.x, layout.x), layout.frame.width).show(0, layout.x_title_y);
+  if (layout.x_titled) centred(axis_title(panel.x, layout.x), layout.frame.width).show(0, layout.x_title_y);
+  if (!layout.row_name.empty()) {
+    const Text name(cr, "<b>" + escape_markup(layout.row_name) + "</b>", {.size = title_size}, 0, true);
+    set_colour(cr, as_text(line_style(layout.row_style).colour));
+    name.show(layout.row_name_x, (layout.frame.height - name.extents().height) / 2);
+    set_colour(cr, ink);
+  }
+  if (!layout.y_titled) return;
   cairo_save(cr);
   cairo_translate(cr, layout.y_title_x, layout.frame.height);
   cairo_rotate(cr, -std::numbers::pi / 2);
@@ -111,9 +120,7 @@ void draw_lines(cairo_t* cr, const PanelLayout& layout) {
 
 void draw_line_labels(cairo_t* cr, const PanelLayout& layout) {
   for (const LineLabel& label : layout.line_labels) {
-    cairo_set_source_rgba(cr, 1, 1, 1, 0.75);
-    cairo_rectangle(cr, label.box.x - 1, label.box.y, label.box.width + 2, label.box.height);
-    cairo_fill(cr);
+    clear_ground(cr, label.box);
     set_colour(cr, quiet_ink);
     Text(cr, label.text, {.size = tick_size}).show(label.box.x, label.box.y);
   }
@@ -205,6 +212,8 @@ void draw_panel(cairo_t* cr, const Panel& panel, const PanelLayout& layout) {
     end_part(cr);
   }
   draw_line_labels(cr, layout);
+  draw_direct_labels(cr, layout.direct);
+  draw_marks(cr, panel.marks, layout.mark_labels, layout.window);
   draw_names(cr, layout.named);
   if (layout.empty) draw_absence(cr, layout);
   if (layout.legend_place == PanelLayout::Place::below) draw_legend(cr, layout.legend, false);

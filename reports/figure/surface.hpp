@@ -3,6 +3,7 @@
 
 #include <cairo.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -20,5 +21,10 @@ using Context = std::unique_ptr<cairo_t, DestroyContext>;
 using Surface = std::unique_ptr<cairo_surface_t, DestroySurface>;
 
 Context measuring_context();  // draws nowhere
+
+// A page with what `draw` draws, the same bytes every time. `what` names it should Cairo fail; `named` gives the ids and the title of the
+// SVG.
+std::string written_pdf(const Size& size, const std::function<void(cairo_t*)>& draw, const std::string& what);
+std::string written_svg(const Size& size, const std::function<void(cairo_t*)>& draw, const Figure& named);
 
 }  // namespace pmreport::figure

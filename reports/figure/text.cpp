@@ -122,6 +122,12 @@ void Text::show(double x, double y) const {
   keep_words(cr_, layout_.get(), size_, x, y);
 }
 
+void clear_ground(cairo_t* cr, const Box& box) {
+  cairo_set_source_rgba(cr, 1, 1, 1, 0.75);
+  cairo_rectangle(cr, box.x - 1, box.y, box.width + 2, box.height);
+  cairo_fill(cr);
+}
+
 std::string escape_markup(const std::string& plain) {
   const OwnedString escaped{g_markup_escape_text(drawable(plain).c_str(), -1)};
   return escaped.get();

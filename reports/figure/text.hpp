@@ -3,6 +3,8 @@
 
 #include <pango/pangocairo.h>
 
+#include <reports/figure/geometry.hpp>
+
 #include <memory>
 #include <string>
 
@@ -34,6 +36,9 @@ class Text {
   double size_;
   std::unique_ptr<PangoLayout, Unref> layout_;
 };
+
+// Ground for words over a grid or a curve: nearly white, so that both can be read.
+void clear_ground(cairo_t* cr, const Box& box);
 
 std::string escape_markup(const std::string& plain);
 // As the content of an element, and without the control characters that XML 1.0 has not, not even escaped.

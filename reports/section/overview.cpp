@@ -1,21 +1,203 @@
 #include <reports/section/overview.hpp>
 
-#include <reports/section/kinds.hpp>
+#include <reports/figure/layout/range.hpp>
+#include <reports/section/common/force_plots.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string_view>
+
 namespace pmreport::section {
 
-std::vector<document::Section> overview_section(const Analysis& a) {
-  figure::Figure f{"overview", "", "", figure::Width::full, 2, {}};
-  std::vector<std::string> shown;
-  for (const scenario::SectionKind* kind : kinds()) {
-    const auto glance = static_cast<const SectionKind*>(kind)->glance;
-    if (glance != nullptr && a.scenario().asks_for(*kind)) shown.push_back(glance(a, f));
+namespace {
+
+constexpr std::size_t fewest_columns = 3;
+constexpr int digits = 3;  // of the numbers beside the worst points
+
+// A column of the overview.
+struct Quantity {
+  std::string title, unit;                          // unit: SI
+  std::function<ColumnId(const Actuator&)> column;  // of an actuator
+  std::function<Range(std::size_t)> allowed;        // of an actuator, by its number in the topology [SI]; infinite where nothing limits it
+  std::string limits;                               // "strokes": what the range is called
+  bool stroke = false;
+};
+
+constexpr double none = std::numeric_limits<double>::infinity();
+
+std::function<Range(std::size_t)> both_ways(const std::vector<double>& limits) {
+  return [&limits](std::size_t i) { return i < limits.size() ? Range{-limits[i], limits[i]} : Range{-none, none}; };
+}
+
+Range unlimited(std::size_t) { return {-none, none}; }
+
+std::vector<Quantity> quantities(const Analysis& a, const std::string& unit) {
+  const auto asked = [&](std::string_view kind) {
+    return std::ranges::any_of(a.scenario().sections, [&](const scenario::Section& s) { return s.kind->name == kind; });
+  };
+  const mechanics::MotionLimits& limits = a.scenario().limits;
+  const bool moving = asked("dynamics"), linear = unit == "m";
+  const auto of_motion = [](OfMotion what) { return [what](const Actuator& x) { return column_of(x, what); }; };
+  const auto of_actuator = [](OfActuator what) { return [what](const Actuator& x) { return column_of(x, what); }; };
+  std::vector<Quantity> out;
+  if (asked("displacement"))
+    out.push_back({linear ? "length" : "angle", unit, of_motion(OfMotion::value),
+                   [&a](std::size_t i) { return a.machine().topology().actuators[i].stroke; }, "strokes", true});
+  if (asked("velocity")) out.push_back({"speed", unit + "/s", of_motion(OfMotion::rate), both_ways(limits.speed), "speed limits"});
+  if (asked("acceleration") && !moving) out.push_back({"acceleration", unit + "/s^2", of_motion(OfMotion::acceleration), unlimited, ""});
+  if (moving) {
+    out.push_back(
+        {effort(unit), effort_unit(unit), of_actuator(OfActuator::dynamic_force), both_ways(limits.force), effort(unit) + " limits"});
+    out.push_back({"power", "W", of_actuator(OfActuator::power), both_ways(limits.power), "power limits"});
+  } else if (asked("statics")) {
+    out.push_back({effort(unit) + " at rest", effort_unit(unit), of_actuator(OfActuator::static_force), unlimited, ""});
   }
-  if (shown.size() < 3) return {};
-  f.caption = fmt::format("The motion at a glance: {}.", fmt::join(shown, "; "));
-  return {document::Section{"overview", "overview", "Overview", {f}}};
+  return out;
+}
+
+// Nearest to an end of the stroke; else the largest magnitude. -1: no value.
+int worst_sample(const std::vector<double>& x, const Range& allowed, bool stroke) {
+  int worst = -1;
+  double most = -none;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const bool ends = stroke && std::isfinite(allowed.min) && std::isfinite(allowed.max);
+    const double used = ends ? std::max(allowed.min - x[k], x[k] - allowed.max) : std::abs(x[k]);
+    if (std::isfinite(used) && used > most) most = used, worst = static_cast<int>(k);
+  }
+  return worst;
+}
+
+// What the values of each row count from [SI]: 0, or of strokes that differ their middles.
+std::vector<double> middles_of(const Quantity& q, const std::vector<std::size_t>& rows) {
+  std::vector<double> out(rows.size(), 0);
+  const auto differs = [&](std::size_t i) {
+    const Range first = q.allowed(rows.front()), other = q.allowed(i);
+    return other.min != first.min || other.max != first.max;
+  };
+  if (!q.stroke || std::none_of(rows.begin(), rows.end(), differs)) return out;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const Range stroke = q.allowed(rows[row]);
+    const double middle = stroke.min / 2 + stroke.max / 2;
+    if (!std::isfinite(middle)) return std::vector<double>(rows.size(), 0);
+    out[row] = middle;
+  }
+  return out;
+}
+
+// Of one column: its panels from top to bottom, its worst points marked. `off_scale` gathers limits that no panel can show.
+std::vector<figure::Panel> column_panels(const Analysis& a, const Quantity& q, const std::vector<std::size_t>& rows,
+                                         std::vector<std::string>& off_scale) {
+  const std::vector<Actuator>& actuators = a.machine().topology().actuators;
+  std::vector<Trace> curves;
+  for (const std::size_t i : rows) curves.push_back({q.column(actuators[i]), ""});
+  const figure::Panel all = panel(a, "", q.title, q.unit, curves);
+  const double per_si = unit_of(a, q.unit, curves).per_si;
+
+  // Strokes that differ have one scale when each counts from its middle.
+  const std::vector<double> middles = middles_of(q, rows);
+
+  std::vector<figure::Panel> out;
+  std::vector<int> worst;
+  double largest = 0, gravest = -none;
+  std::size_t grave = 0;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    figure::Panel p{symbol(actuators[rows[row]].name) + ", " + q.title, {"t", "s"}, all.y, {all.series[row]}, all.bands, {}};
+    p.series.front().style = static_cast<int>(row);
+    Range allowed = q.allowed(rows[row]);
+    allowed.min -= middles[row], allowed.max -= middles[row];
+    for (double& y : p.series.front().y) y -= middles[row] * per_si;
+    if (std::isfinite(allowed.max)) p.lines.push_back({allowed.max * per_si, "", figure::Line::Forbids::above});
+    if (std::isfinite(allowed.min)) p.lines.push_back({allowed.min * per_si, "", figure::Line::Forbids::below});
+    const std::vector<double>& y = p.series.front().y;
+    worst.push_back(worst_sample(y, {allowed.min * per_si, allowed.max * per_si}, q.stroke));
+    if (worst.back() >= 0) {
+      const double value = y[static_cast<std::size_t>(worst.back())];
+      largest = std::max(largest, std::abs(value));
+      // How far beyond its limit, or how near to it; among actuators without one the largest.
+      const double margin = q.stroke && std::isfinite(allowed.max) ? std::max(allowed.min * per_si - value, value - allowed.max * per_si)
+                            : std::isfinite(allowed.max)           ? std::abs(value) / (allowed.max * per_si)
+                                                                   : std::abs(value);
+      if (margin > gravest) gravest = margin, grave = row;
+    }
+    out.push_back(std::move(p));
+  }
+  const int decimals = largest > 0 ? std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(largest)))) : 0;
+  figure::Panel shared;
+  for (std::size_t row = 0; row < out.size(); ++row) {
+    figure::Panel& p = out[row];
+    shared.series.push_back(p.series.front());
+    shared.lines.insert(shared.lines.end(), p.lines.begin(), p.lines.end());
+    if (worst[row] < 0) continue;
+    const auto k = static_cast<std::size_t>(worst[row]);
+    const double value = p.series.front().y[k];
+    const double rounded = std::round(value * std::pow(10.0, decimals)) == 0 ? 0 : value;
+    p.marks.push_back(
+        {a.time()[k], value, typeset(fmt::format("{:.{}f}", rounded, decimals)), static_cast<int>(row), row == grave && out.size() > 1});
+  }
+  const figure::Interval shown = figure::y_range(shared);
+  double low = none, high = -none;
+  for (const figure::Line& l : shared.lines)
+    if (l.y < shown.low || l.y > shown.high) low = std::min(low, l.y / per_si), high = std::max(high, l.y / per_si);
+  if (low <= high) {
+    const bool symmetric = low == -high;
+    const std::string ends = symmetric    ? "±" + show(high, q.unit)
+                             : low < high ? show(low, q.unit) + " to " + show(high, q.unit)
+                                          : show(low, q.unit);
+    off_scale.push_back(q.limits + " " + ends);
+  }
+  return out;
+}
+
+// Of the actuators of one unit; no panels where there are too few columns.
+figure::Figure multiples(const Analysis& a, const std::string& unit) {
+  const std::vector<Actuator>& actuators = a.machine().topology().actuators;
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < actuators.size(); ++i)
+    if (actuators[i].unit == unit) rows.push_back(i);
+  const std::vector<Quantity> columns = quantities(a, unit);
+  figure::Figure f{unit == "m" ? "overview" : "overview-rotary", "", "", figure::Width::full, static_cast<int>(columns.size()), {}};
+  if (rows.empty() || columns.size() < fewest_columns) return f;
+
+  std::vector<std::string> titles, off_scale;
+  std::vector<std::vector<figure::Panel>> drawn;
+  for (const Quantity& q : columns) {
+    drawn.push_back(column_panels(a, q, rows, off_scale));
+    const std::vector<double> middles = middles_of(q, rows);
+    const bool from_middle = std::any_of(middles.begin(), middles.end(), [](double m) { return m != 0; });
+    titles.push_back(from_middle ? q.title + " from mid-stroke" : q.title);
+  }
+  figure::Multiples names{{}, titles};
+  bool limits = false;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    names.rows.push_back(symbol(actuators[rows[row]].name));
+    for (std::vector<figure::Panel>& column : drawn) {
+      limits = limits || !column[row].lines.empty();
+      f.panels.push_back(std::move(column[row]));
+    }
+  }
+  f.multiples = std::move(names);
+  f.caption = fmt::format(
+      "Every actuator at a glance: {}. A column has one scale. Dots: the worst of each actuator, in bold of all; of a {} "
+      "the nearest to an end of its stroke, else the largest.",
+      fmt::join(titles, ", "), unit == "m" ? "length" : "turn");
+  if (limits) f.caption += " Hatched: beyond a limit.";
+  if (!off_scale.empty()) f.caption += fmt::format(" Off the scale: {}.", fmt::join(off_scale, "; "));
+  return f;
+}
+
+}  // namespace
+
+std::vector<document::Section> overview_section(const Analysis& a) {
+  document::Section s{"overview", "overview", "Overview", {}};
+  for (const char* unit : {"m", "rad"})
+    if (figure::Figure f = multiples(a, unit); !f.panels.empty()) s.blocks.push_back(std::move(f));
+  if (s.blocks.empty()) return {};
+  return {std::move(s)};
 }
 
 }  // namespace pmreport::section

@@ -1,4 +1,4 @@
-// The motion at a glance.
+// Every actuator at a glance.
 #pragma once
 
 #include <reports/document/report.hpp>
@@ -8,7 +8,8 @@
 
 namespace pmreport::section {
 
-// Pose, limb lengths, rates, accelerations and forces on one page, when the scenario asks for enough of them.
+// Small multiples, a row an actuator: stroke, speed, force and power, as far as the scenario asks for their sections; its worst point
+// marked in each, and what limits it. None of fewer than three such columns.
 std::vector<document::Section> overview_section(const Analysis& a);
 
 }  // namespace pmreport::section

@@ -37,3 +37,15 @@ TEST_CASE("curves of one panel differ in their dashes too") {
     }
   }
 }
+
+TEST_CASE("a name in the colour of its curve reads as text, and looks like the curve's colour") {
+  for (int style = 0; style < colours; ++style) {
+    CAPTURE(style);
+    const Colour curve = line_style(style).colour, name = as_text(curve);
+    CHECK(1.05 / (luminance(name) + 0.05) >= 4.5);  // WCAG 2.1, 1.4.3
+    // The nearest of all colours is its own.
+    for (int other = 0; other < colours; ++other)
+      if (other != style)
+        CHECK(difference(lab(name, nullptr), lab(curve, nullptr)) < difference(lab(name, nullptr), lab(line_style(other).colour, nullptr)));
+  }
+}

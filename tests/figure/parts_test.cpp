@@ -51,8 +51,8 @@ TEST_CASE("panels, curves and keys of an SVG are groups that nest") {
   CHECK(count(panel, "<g class=\"key\" ") == 2);
   const std::string first = inside(panel, "<g class=\"curve\" data-series=\"0\"");
   CHECK(count(first, "stroke-width:1.1") == 1);
-  CHECK(contains(first, "rgb(0%,37"));  // the first colour of the palette
-  CHECK(count(inside(panel, "<g class=\"key\" data-series=\"1\""), "stroke-dasharray") == 1);
+  CHECK(contains(first, "rgb(0%,37"));                                              // the first colour of the palette
+  CHECK(count(inside(panel, "<g class=\"key\" data-series=\"1\""), "<use ") == 2);  // "l₂" at its curve
 }
 
 TEST_CASE("a panel tells its frame and the ranges of its axes") {

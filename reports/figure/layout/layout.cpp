@@ -74,6 +74,7 @@ Margins margins_of(cairo_t* cr, const Panel& panel, PanelLayout& layout) {
   };
   Margins margins{tick_length + tick_gap + widest + title_height(y_title, height), overhang,
                   tick_length + tick_gap + tick_height + title_height(x_title, width)};
+  margins.right = std::max(margins.right, layout.direct.right);
   if (panel.map) margins.right = std::max(overhang, bar_width(cr, *panel.map, layout.bar, height));
   layout.x_title_y = height + tick_length + tick_gap + tick_height + title_gap;
   if (layout.legend_place == PanelLayout::Place::below) {
@@ -105,6 +106,7 @@ double heading_height(cairo_t* cr, const PanelLayout& layout) {
 }  // namespace
 
 Layout lay_out(cairo_t* cr, const Figure& figure) {
+  if (figure.multiples) return lay_out_multiples(cr, figure, figure.width == Width::full ? full_width : column_width);
   const Grid grid = grid_of(figure);
   Layout layout;
   std::vector<Margins> margins(figure.panels.size());

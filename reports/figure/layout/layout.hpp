@@ -3,6 +3,7 @@
 
 #include <cairo.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include <reports/figure/draw.hpp>
 #include <reports/figure/geometry.hpp>
 #include <reports/figure/layout/axis.hpp>
+#include <reports/figure/layout/direct_labels.hpp>
 #include <reports/figure/layout/legend.hpp>
 #include <reports/figure/layout/line_names.hpp>
 
@@ -35,12 +37,19 @@ struct PanelLayout {
   NamedLines named;
   ColourBar bar;                // of a map
   std::vector<Stroke> contour;  // of a map
+  DirectLabels direct;          // none: the legend has the names of the curves
   enum class Place { none, inside, below } legend_place = Place::none;
   Legend legend;
-  std::string heading;     // Pango markup
-  std::string spike_note;  // what was cut off, and how far it goes
-  double x_title_y = 0;    // [pt] panel coordinates, top of the title
+  std::vector<Box> mark_labels;  // one a mark of the panel
+  std::string heading;           // Pango markup
+  std::string spike_note;        // what was cut off, and how far it goes
+  double x_title_y = 0;          // [pt] panel coordinates, top of the title
   double y_title_x = 0;
+  // Of small multiples: titles of axes and numbers of x stand once for all, and the row has a name.
+  bool x_titled = true, y_titled = true, x_numbered = true;
+  std::string row_name;
+  double row_name_x = 0;  // [pt] panel coordinates
+  int row_style = 0;
 };
 
 struct Layout {
@@ -52,8 +61,12 @@ struct Layout {
 Layout lay_out(cairo_t* cr, const Figure& figure);
 
 // One panel whose frame has this size [pt], or less where it is to one scale; its place on the page is left open. A legend below the frame
-// may be as wide as `room` [pt].
-PanelLayout lay_out_panel(cairo_t* cr, const Panel& panel, double width, double height, double room);
+// may be as wide as `room` [pt]. `shared`: the range of y, where other panels have it too; then the curves have no names.
+PanelLayout lay_out_panel(cairo_t* cr, const Panel& panel, double width, double height, double room,
+                          std::optional<Interval> shared = std::nullopt);
+
+// Of a figure of small multiples.
+Layout lay_out_multiples(cairo_t* cr, const Figure& figure, double width);
 
 // White paper and every panel.
 void draw_layout(cairo_t* cr, const Figure& figure, const Layout& layout);

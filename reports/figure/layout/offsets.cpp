@@ -12,7 +12,6 @@
 namespace pmreport::figure {
 namespace {
 
-constexpr double flat = 0.04;       // of the height of a panel: a curve that is no higher tells nothing
 constexpr double longest = 1e9;     // no offset of more digits is a round number
 constexpr double rounding = 1e-11;  // of a curve's values: what moves by less does not move
 
@@ -44,7 +43,7 @@ std::string less(double offset, double step, const std::string& unit) {
 
 }  // namespace
 
-Panel set_off(const Panel& panel) {
+Panel set_off(const Panel& panel, double share) {
   if (panel.map || panel.equal || !panel.named.empty() || panel.series.size() < 2) return panel;
   const Interval shown = y_range(panel);
   for (const Line& line : panel.lines)
@@ -58,11 +57,15 @@ Panel set_off(const Panel& panel) {
     movement = std::max(movement, reaches.back().span());
     size = std::max(size, reaches.back().size());
   }
-  if (movement > flat * (shown.high - shown.low) || movement <= rounding * size) return panel;
-  Panel out = panel;
+  if (movement > share * (shown.high - shown.low) || movement <= rounding * size) return panel;
   const double step = step_for(movement);
+  std::vector<double> offsets;
+  for (const Reach& reach : reaches) {
+    offsets.push_back(reach.empty() ? 0 : std::round(reach.middle() / step) * step);
+  }
+  Panel out = panel;
   for (std::size_t i = 0; i < out.series.size(); ++i) {
-    const double offset = reaches[i].empty() ? 0 : std::round(reaches[i].middle() / step) * step;
+    const double offset = offsets[i];
     if (offset == 0) continue;
     for (double& y : out.series[i].y) y -= offset;
     out.series[i].label += less(offset, step, panel.y.unit);

@@ -6,6 +6,7 @@
 
 #include <reports/figure/colour_scale.hpp>
 #include <reports/figure/layout/layout.hpp>
+#include <reports/figure/layout/marks.hpp>
 #include <reports/figure/layout/range.hpp>
 #include <reports/figure/palette.hpp>
 #include <reports/figure/shading.hpp>
@@ -64,7 +65,11 @@ void fill(const Panel& panel, Interval y, double width, double height, PanelLayo
   layout.unreachable_bands = band_boxes(panel.bands, Band::Kind::unreachable, layout.window);
   layout.lines.clear();
   for (const Line& line : panel.lines) {
-    if (line.y >= y.low && line.y <= y.high) layout.lines.push_back(to_page(layout.window, 0, line.y).y);
+    if (!(line.y >= y.low && line.y <= y.high)) continue;
+    const double at = to_page(layout.window, 0, line.y).y;
+    layout.lines.push_back(at);
+    if (line.forbids == Line::Forbids::above) layout.limit_bands.push_back({0, 0, width, at});
+    if (line.forbids == Line::Forbids::below) layout.limit_bands.push_back({0, at, width, height - at});
   }
 }
 
@@ -132,6 +137,19 @@ void label_lines(cairo_t* cr, const Panel& panel, const Occupancy& ink, PanelLay
   }
 }
 
+// "limits 760 to 1410 mm off the scale"; empty where none is. Two of a sign apart are told as one, "±600 N".
+std::string limits_off_scale(const Panel& panel, const PanelLayout& layout) {
+  std::vector<double> off;
+  for (const Line& line : panel.lines)
+    if (line.forbids != Line::Forbids::nothing && !(line.y >= layout.y.low && line.y <= layout.y.high)) off.push_back(line.y);
+  if (off.empty()) return "";
+  std::sort(off.begin(), off.end());
+  const std::string unit = panel.y.unit.empty() || panel.y.unit == "°" ? panel.y.unit : " " + panel.y.unit;
+  const double low = off.front(), high = off.back();
+  if (low == high) return "limit " + typeset(low, 4) + unit + " off the scale";
+  return "limits " + (low == -high ? "±" + typeset(high, 4) : typeset(low, 4) + " to " + typeset(high, 4)) + unit + " off the scale";
+}
+
 // "▲ F₁ clipped, reaches 3.1×10⁵ N": which curves leave the frame on one side, and how far the farthest of them goes.
 std::string note_of_side(const Panel& panel, const PanelLayout& layout, bool above) {
   int curves = 0;
@@ -153,8 +171,10 @@ std::string note_of_side(const Panel& panel, const PanelLayout& layout, bool abo
 }
 
 std::string spike_note(const Panel& panel, const PanelLayout& layout) {
-  const std::string above = note_of_side(panel, layout, true), below = note_of_side(panel, layout, false);
-  return above + (above.empty() || below.empty() ? "" : "   ") + below;
+  std::string note;
+  for (const std::string& part : {note_of_side(panel, layout, true), note_of_side(panel, layout, false), limits_off_scale(panel, layout)})
+    note += (note.empty() || part.empty() ? "" : "   ") + part;
+  return note;
 }
 
 // Everything but the legend; returns the ground on which the legend looks for a place.
@@ -163,6 +183,8 @@ Ground arrange(cairo_t* cr, const Panel& panel, Interval y, double width, double
   layout.named = lay_out_named(cr, panel.named, layout.window, drawn(layout));
   Ground ground{ink_of(layout), shading_of(layout)};
   mark(ground.ink, layout.named);
+  for (const DirectLabel& label : layout.direct.labels)
+    if (label.inside) ground.ink.mark(label.box);
   Occupancy curves_and_lines = ground.ink;
   curves_and_lines.seal();
   label_lines(cr, panel, curves_and_lines, layout);
@@ -172,9 +194,10 @@ Ground arrange(cairo_t* cr, const Panel& panel, Interval y, double width, double
   return ground;
 }
 
-// Names that found no room on their lines are told by the legend.
+// Names that found no room on their lines are told by the legend, those that stand at their curves are not.
 std::vector<Key> all_keys(const Panel& panel, const PanelLayout& layout) {
   std::vector<Key> keys = keys_of(panel);
+  if (!layout.direct.labels.empty()) std::erase_if(keys, [](const Key& key) { return key.series >= 0; });
   for (std::size_t i = 0; i < panel.named.size(); ++i)
     if (const int dash = layout.named.lines[i].dash; dash > 0) keys.push_back({Key::Kind::named, panel.named[i].label, dash});
   return keys;
@@ -194,11 +217,27 @@ void lay_out_map(cairo_t* cr, const Panel& panel, Interval y, double width, doub
   layout.legend = shapes.back();
 }
 
+// The range of y with which the curves bear their names themselves; none: the legend has them.
+std::optional<Interval> name_curves(cairo_t* cr, const Panel& panel, Interval y, double width, double height, PanelLayout& layout) {
+  if (!may_label_directly(panel)) return std::nullopt;
+  for (const double headroom : {headrooms[0], headrooms[1]}) {
+    const Interval range = headroom > 0 ? y_range(panel, headroom) : y;
+    fill(panel, range, width, height, layout);
+    std::optional<DirectLabels> found;
+    if (headroom == 0) found = label_ends(cr, panel, layout.traces, layout.window);
+    if (!found) found = label_inside(cr, panel, layout.traces, layout.lines, layout.window);
+    if (!found) continue;
+    layout.direct = std::move(*found);
+    return range;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-PanelLayout lay_out_panel(cairo_t* cr, const Panel& panel, double width, double height, double room) {
+PanelLayout lay_out_panel(cairo_t* cr, const Panel& panel, double width, double height, double room, std::optional<Interval> shared) {
   PanelLayout layout;
-  Interval x = x_range(panel), y = y_range(panel);
+  Interval x = x_range(panel), y = shared.value_or(y_range(panel));
   if (panel.equal) {
     const EqualFrame equal = fit_equal(x, y, width, height);
     width = equal.width, height = equal.height, x = equal.x, y = equal.y;
@@ -210,15 +249,25 @@ PanelLayout lay_out_panel(cairo_t* cr, const Panel& panel, double width, double 
     lay_out_map(cr, panel, y, width, height, room, layout);
     return layout;
   }
-  for (const double headroom : headrooms) {
-    const Ground ground = arrange(cr, panel, headroom > 0 ? y_range(panel, headroom) : y, width, height, layout);
+  if (shared) {
+    const Ground ground = arrange(cr, panel, y, width, height, layout);
+    layout.mark_labels = place_marks(cr, panel.marks, ground.ink, layout.window);
+    layout.spike_note.clear();
+    return layout;
+  }
+  const std::optional<Interval> named = name_curves(cr, panel, y, width, height, layout);
+  std::vector<Interval> ranges;
+  for (const double headroom : headrooms) ranges.push_back(headroom > 0 ? y_range(panel, headroom) : y);
+  if (named) ranges = {*named};
+  for (const Interval& range : ranges) {
+    const Ground ground = arrange(cr, panel, range, width, height, layout);
     const std::vector<Legend> shapes = legend_shapes(cr, all_keys(panel, layout), width - 6);
     if (shapes.empty()) return layout;
     layout.legend_place = PanelLayout::Place::inside;
     if (place_inside(shapes, ground, width, height, layout.legend)) return layout;
     if (panel.equal) break;  // more room above would need another scale
   }
-  arrange(cr, panel, y, width, height, layout);
+  arrange(cr, panel, ranges.front(), width, height, layout);
   layout.legend_place = PanelLayout::Place::below;
   layout.legend = legend_shapes(cr, all_keys(panel, layout), room).back();
   return layout;

@@ -13,11 +13,22 @@
 
 namespace pmreport::section {
 
+namespace {
+
+// What drives and motors give is told by whose it is.
+std::string label_of(const Topology& t, const Actuator& x, OfActuator what) {
+  if (what == OfActuator::static_force || what == OfActuator::dynamic_force) return effort_symbol(t, x);
+  return what == OfActuator::power ? effort_symbol(t, x, Effort::power) : symbol(x.name);
+}
+
+}  // namespace
+
 std::vector<Trace> of_actuators(const Analysis& a, OfActuator what, const std::string& unit) {
+  const Topology& t = a.machine().topology();
   std::vector<Trace> out;
-  for (const Actuator& x : a.machine().topology().actuators)
+  for (const Actuator& x : t.actuators)
     if (const ColumnId column = column_of(x, what); (unit.empty() || x.unit == unit) && a.has(column))
-      out.push_back({column, symbol(x.name)});
+      out.push_back({column, label_of(t, x, what)});
   return out;
 }
 
@@ -36,9 +47,11 @@ void add_limit_lines(figure::Panel& p, const Analysis& a, const std::vector<doub
     name += (name.empty() ? "" : " ") + symbol(actuators[i].name);
   }
   for (const auto& [limit, name] : names) {
-    const std::string label = names.size() == 1 && bound == all ? "limit" : "limit " + name;
-    p.lines.push_back({limit * per_si, label});
-    p.lines.push_back({-limit * per_si, label});
+    using Forbids = figure::Line::Forbids;
+    const bool common = names.size() == 1 && bound == all;
+    const std::string label = common ? "limit" : "limit " + name;
+    p.lines.push_back({limit * per_si, label, common ? Forbids::above : Forbids::nothing});
+    p.lines.push_back({-limit * per_si, label, common ? Forbids::below : Forbids::nothing});
   }
 }
 

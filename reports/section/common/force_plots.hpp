@@ -14,7 +14,8 @@ namespace pmreport::section {
 std::vector<Trace> of_actuators(const Analysis& a, OfActuator what, const std::string& unit);
 std::vector<Trace> of_actuators(const Analysis& a, OfActuator what);  // of any unit
 
-// Lines at both signs of the finite `limits` (one an actuator, SI) of the actuators of a unit; those alike in one. `per_si`: the panel's.
+// Lines at both signs of the finite `limits` (one an actuator, SI) of the actuators of a unit; those alike in one, hatched beyond
+// where one holds for all. `per_si`: the panel's.
 void add_limit_lines(figure::Panel& p, const Analysis& a, const std::vector<double>& limits, const std::string& unit, double per_si);
 
 // The curves of one actuator that a figure of shares shows, in the same style in every panel; keys in the first panel alone.

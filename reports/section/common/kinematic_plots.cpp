@@ -1,13 +1,9 @@
+#include <reports/section/common/force_plots.hpp>
 #include <reports/section/common/kinematic_plots.hpp>
 
 #include <algorithm>
 
 namespace pmreport::section {
-
-void add_panel(figure::Figure& f, const Analysis& a, const std::string& title, const std::string& axis, const std::string& unit,
-               const std::vector<Trace>& curves) {
-  if (!curves.empty()) f.panels.push_back(panel(a, title, axis, unit, curves));
-}
 
 bool linear_drives(const Analysis& a) { return a.machine().topology().actuators.front().sense() == Sense::linear; }
 
@@ -20,8 +16,15 @@ std::vector<Column> columns_in(const Analysis& a, ColumnList* list, std::initial
 
 void add_actuators(figure::Figure& f, const Analysis& a, ColumnList* list, OfMotion what, const std::string& words,
                    const std::string& per) {
-  for (const std::string unit : {"m", "rad"})
-    add_panel(f, a, words, words, unit + per, group(a, list, analysis::group_of("actuator", what), unit + per));
+  for (const std::string unit : {"m", "rad"}) {
+    const std::vector<Trace> curves = group(a, list, analysis::group_of("actuator", what), unit + per);
+    const std::size_t before = f.panels.size();
+    add_panel(f, a, words, words, unit + per, curves);
+    if (f.panels.size() == before) continue;
+    const double per_si = unit_of(a, unit + per, curves).per_si;
+    if (what == OfMotion::value) add_stroke_lines(f.panels.back(), a, unit, per_si);
+    if (what == OfMotion::rate) add_limit_lines(f.panels.back(), a, a.scenario().limits.speed, unit, per_si);
+  }
 }
 
 }  // namespace pmreport::section

@@ -50,6 +50,16 @@ TEST_CASE("curves that can be seen to move stay where they are") {
   CHECK(set_off(wide).y.label == wide.y.label);
 }
 
+TEST_CASE("where it matters not how far from zero curves are, they are set off when they would be low") {
+  const auto moves = [](double t) { return 40 * std::sin(6 * t); };
+  const Panel far = panel({curve("x", 100, 1, moves), curve("z", 100, 1, [&](double t) { return 550 + moves(t); })});
+  CHECK(set_off(far).series[1].label == "z");
+  CHECK(set_off(far, low_share).series[0].label == "x");
+  CHECK(set_off(far, low_share).series[1].label == "z − 550 mm");
+  const Panel again = set_off(set_off(far, low_share));
+  CHECK(again.series[1].label == "z − 550 mm");
+}
+
 TEST_CASE("rest and rounding are no movement") {
   const Panel rest = panel(
       {curve("x", 100, 1, [](double) { return 0.0; }), curve("z", 100, 1, [](double t) { return 550 * (1 + 1e-15 * std::sin(40 * t)); })});
