@@ -162,6 +162,7 @@ void add_links(Scene& scene, const Machine& m, const Pose& pose, const Sizes& si
 
 void add_bodies(Scene& scene, const Machine& m, const Pose& pose, const Sizes& sizes) {
   const Topology& t = m.topology();
+  const std::vector<Drive> drives = drives_of_bodies(t);
   for (int body = 0; body < static_cast<int>(t.bodies.size()); ++body) {
     const bool base = body == 0, platform = body == t.platform;
     const std::size_t first = scene.solids.size();
@@ -172,7 +173,11 @@ void add_bodies(Scene& scene, const Machine& m, const Pose& pose, const Sizes& s
                 base ? palette::base : palette::platform);
     else if (!add_telescope(scene, m, pose, sizes, body))
       add_links(scene, m, pose, sizes, body);
-    for (std::size_t k = first; k < scene.solids.size(); ++k) scene.solids[k].body = body;
+    for (std::size_t k = first; k < scene.solids.size(); ++k) {
+      Solid& s = scene.solids[k];
+      s.body = body;
+      s.color = tinted(s.color, drives[static_cast<std::size_t>(body)]);
+    }
   }
 }
 

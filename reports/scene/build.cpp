@@ -31,6 +31,8 @@ Sizes measure(const Machine& machine) {
   return s;
 }
 
+double overall_size(const Machine& machine) { return measure(machine).overall; }
+
 namespace {
 
 void include(Bounds& bounds, const Solid& s) {
@@ -83,7 +85,11 @@ std::array<Eigen::Vector3d, 8> corners(const Solid& box) {
 Scene build(const Machine& machine, const Pose& pose, const Extras& extras) {
   const Topology& t = machine.topology();
   const Sizes sizes = measure(machine);
-  Scene scene = solids_of(machine, pose, sizes);
+  Scene scene;
+  add_bodies(scene, machine, pose, sizes);
+  for (Solid& s : scene.solids)
+    if (s.body == 0) s.color.a = extras.base_opacity;
+  add_joints(scene, machine, pose, sizes);
   Bounds at_home;
   for (const Solid& s : solids_of(machine, machine.home_pose(), sizes).solids) include(at_home, s);
   scene.ground = at_home.low.z();
@@ -99,11 +105,32 @@ Scene build(const Machine& machine, const Pose& pose, const Extras& extras) {
   scene.surfaces = extras.surfaces;
   scene.lines.insert(scene.lines.end(), extras.lines.begin(), extras.lines.end());
   if (!extras.labels) scene.labels.clear();
-  if (extras.labels)
-    for (std::size_t k = 0; k < t.joints.size(); ++k)
+  if (extras.labels) {
+    add_drive_names(scene, machine, pose, extras.drives);
+    for (std::size_t k = 0; k < t.joints.size() && extras.joint_names; ++k)
       if (t.joints[k].kind != JointKind::prismatic)
-        scene.labels.push_back({machine.centre(pose, static_cast<int>(k)), t.joints[k].name, palette::ink});
+        scene.labels.push_back({machine.centre(pose, static_cast<int>(k)), t.joints[k].name, palette::ink, 0});
+  }
   return scene;
+}
+
+void add_drive_names(Scene& scene, const Machine& machine, const Pose& pose, const std::vector<std::string>& names) {
+  const Topology& t = machine.topology();
+  const std::vector<Drive> drives = drives_of_bodies(t);
+  for (std::size_t i = 0; i < t.actuators.size(); ++i) {
+    Label label{machine.centre(pose, t.actuators[i].joint), i < names.size() ? names[i] : t.actuators[i].name,
+                curve_color(static_cast<int>(i)), 0};
+    double most = 0;
+    for (const Solid& s : scene.solids) {
+      const Drive& d = drives[static_cast<std::size_t>(s.body)];
+      const double length = s.kind == Solid::Kind::cylinder ? (s.b - s.a).norm() : s.kind == Solid::Kind::box ? 2 * s.b.maxCoeff() : 0;
+      if (d.actuator != static_cast<int>(i) || !d.driven || length <= most) continue;
+      most = length;
+      label.at = s.kind == Solid::Kind::cylinder ? Vector3d((s.a + s.b) / 2) : s.a;
+      label.clear = s.kind == Solid::Kind::cylinder ? s.radius : s.b.minCoeff();
+    }
+    scene.labels.push_back(std::move(label));
+  }
 }
 
 }  // namespace pmreport::scene

@@ -60,12 +60,12 @@ void lay_over(Image& image, const cairo_surface_t* surface) {
 
 }  // namespace
 
-void draw_labels(Image& image, const Scene& scene, const Camera& camera) {
+void draw_labels(Image& image, const Scene& scene, const Camera& camera, const Quality& quality) {
   if (scene.labels.empty()) return;
   const std::unique_ptr<cairo_surface_t, Drop> surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height));
   const std::unique_ptr<cairo_t, Drop> cr(cairo_create(surface.get()));
-  const double size = label_size(image.height);
-  const std::vector<LabelSpot> spots = find_spots(scene, camera, image.width, image.height);
+  const double size = label_size(quality.width, quality.printed);
+  const std::vector<LabelSpot> spots = find_spots(scene, camera, quality);
   for (const LabelSpot& s : spots)
     if (s.leader) draw_leader(cr.get(), s, scene.labels[s.index].color, size);
   for (const LabelSpot& s : spots) draw_text(cr.get(), s, scene.labels[s.index].color, size);

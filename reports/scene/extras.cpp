@@ -1,5 +1,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
+#include <core/text/units.hpp>
 #include <numbers>
 #include <reports/scene/look.hpp>
 
@@ -34,10 +35,29 @@ void add_turn(Scene& scene, const Vector3d& centre, const Vector3d& axis, double
 
 constexpr double screw_half = 0.60;  // of the overall size: half the line that is drawn of a screw's axis
 
+constexpr double far_off = 1.5;  // of the overall size: a picture that held an axis farther away would show a small machine
+
 // Where the axis comes nearest to the platform; of a free one, the platform itself.
 Vector3d middle_of(const Screw& screw, const Vector3d& platform) {
   if (std::isinf(screw.pitch)) return platform;
   return screw.point + screw.direction.dot(platform - screw.point) * screw.direction;
+}
+
+bool is_far(const Vector3d& middle, const Vector3d& platform, const Sizes& sizes) {
+  return (middle - platform).norm() > far_off * sizes.overall;
+}
+
+// A turn about a far axis moves the platform almost straight: an arrow along that motion stands for it, and another, at the end of a line,
+// tells where the axis is and how far.
+void add_far_screw(Scene& scene, const Screw& screw, const Vector3d& platform, const Vector3d& middle, const Sizes& sizes) {
+  const double r = 0.011 * sizes.overall, distance = (middle - platform).norm();
+  const Vector3d towards = (middle - platform) / distance;
+  const Vector3d motion = (screw.direction.cross(platform - middle) + screw.pitch * screw.direction).normalized();
+  add_arrow(scene, platform, platform + 0.34 * sizes.overall * motion, r, screw.color);
+  scene.labels.push_back({platform + 0.38 * sizes.overall * motion, screw.label, screw.color, 0});
+  const Vector3d tip = platform + screw_half * sizes.overall * towards;
+  add_arrow(scene, platform, tip, 0.45 * r, screw.color);
+  scene.labels.push_back({tip + 0.04 * sizes.overall * towards, "axis " + format_number(distance, 3) + " m away", screw.color, 0});
 }
 
 // A long line that is seen through everything; the arrows along and around stand on it beside the platform, on the side that `outer` points
@@ -47,6 +67,7 @@ void add_screw(Scene& scene, const Screw& screw, const Vector3d& platform, const
   const Vector3d d = screw.direction.dot(outer) < 0 ? Vector3d(-screw.direction) : screw.direction;
   const bool free = std::isinf(screw.pitch);
   const Vector3d middle = middle_of(screw, platform);
+  if (is_far(middle, platform, sizes)) return add_far_screw(scene, screw, platform, middle, sizes);
   const Vector3d end = middle + half * d;
   scene.solids.push_back(cylinder(middle - half * d, end, 0.45 * r, screw.color, 0.75f));
   if (screw.pitch != 0) {
@@ -55,15 +76,17 @@ void add_screw(Scene& scene, const Screw& screw, const Vector3d& platform, const
     screw.pitch > 0 ? add_arrow(scene, low, high, r, screw.color) : add_arrow(scene, high, low, r, screw.color);
   }
   if (!free) add_turn(scene, middle + 0.38 * half * d, d, 0.10 * sizes.overall, r, screw.color);
-  scene.labels.push_back({end + 0.04 * sizes.overall * d, screw.label, screw.color});
+  scene.labels.push_back({end + 0.04 * sizes.overall * d, screw.label, screw.color, 0});
 }
 
 }  // namespace
 
 void include(Bounds& bounds, const mechanics::Machine& machine, const mechanics::Pose& pose, const Screw& screw) {
-  const double overall = measure(machine).overall;
-  const Vector3d middle = middle_of(screw, machine.origin(pose, machine.topology().platform));
-  for (const double side : {-1.0, 1.0}) bounds.include(middle + side * screw_half * overall * screw.direction, 0.06 * overall);
+  const Sizes sizes = measure(machine);
+  const Vector3d platform = machine.origin(pose, machine.topology().platform), middle = middle_of(screw, platform);
+  const double half = screw_half * sizes.overall, rim = 0.06 * sizes.overall;
+  if (is_far(middle, platform, sizes)) return bounds.include(platform + half * (middle - platform).normalized(), rim);
+  for (const double side : {-1.0, 1.0}) bounds.include(middle + side * half * screw.direction, rim);
 }
 
 void add_frame(Scene& scene, const Vector3d& origin, const Eigen::Matrix3d& axes, const char* const names[4], double length) {
@@ -73,9 +96,9 @@ void add_frame(Scene& scene, const Vector3d& origin, const Eigen::Matrix3d& axes
   for (int k = 0; k < 3; ++k) {
     const Vector3d tip = origin + length * axes.col(k);
     add_arrow(scene, origin, tip, r, colors[k]);
-    scene.labels.push_back({tip + 0.10 * length * axes.col(k), names[k + 1], colors[k]});
+    scene.labels.push_back({tip + 0.10 * length * axes.col(k), names[k + 1], colors[k], 0});
   }
-  scene.labels.push_back({origin, names[0], palette::ink});
+  scene.labels.push_back({origin, names[0], palette::ink, 0});
 }
 
 // A force stands on the platform's outer side, away from the limbs: it begins at the reference point when it pulls there, and ends there
@@ -89,20 +112,24 @@ void add_extras(Scene& scene, const mechanics::Machine& machine, const mechanics
     scene.lines.push_back({extras.path, palette::path, 2.4, 0.5f});
     scene.solids.push_back(ball(p, 0.42 * sizes.joint, palette::path, 0.8f));
   }
-  const double length = 0.25 * sizes.overall, r = 0.0075 * sizes.overall;
+  const double r = 0.0075 * sizes.overall;
   if (extras.force.norm() > 0) {
     const Vector3d along = extras.force.normalized();
+    const double length =
+        longest_force * sizes.overall * (extras.full_force > 0 ? std::min(1.0, extras.force.norm() / extras.full_force) : 1);
     const bool pulls = along.dot(outer) >= 0;
     const Vector3d tail = pulls ? p : Vector3d(p - length * along);
     add_arrow(scene, tail, tail + length * along, r, palette::load);
-    scene.labels.push_back({pulls ? Vector3d(p + 1.12 * length * along) : Vector3d(p - 1.10 * length * along), "F", palette::load});
+    const double beyond = length + 0.03 * sizes.overall;
+    scene.labels.push_back({pulls ? Vector3d(p + beyond * along) : Vector3d(p - beyond * along), extras.force_label, palette::load, 0});
   }
   if (extras.moment.norm() > 0) {
     const Vector3d axis = extras.moment.normalized(), out = axis.dot(outer) >= 0 ? axis : Vector3d(-axis);
-    const Vector3d centre = p + 0.62 * length * out;
-    scene.lines.push_back({{p, centre + 0.18 * length * out}, palette::load, 1.4, seen_through});
-    add_turn(scene, centre, axis, 0.24 * length, 0.8 * r, palette::load);
-    scene.labels.push_back({centre + 0.38 * length * out, "M", palette::load});
+    const Vector3d centre = p + 0.155 * sizes.overall * out;
+    const double share = extras.full_moment > 0 ? std::min(1.0, extras.moment.norm() / extras.full_moment) : 1;
+    scene.lines.push_back({{p, centre + 0.045 * sizes.overall * out}, palette::load, 1.4, seen_through});
+    add_turn(scene, centre, axis, (0.025 + 0.035 * share) * sizes.overall, 0.8 * r, palette::load);
+    scene.labels.push_back({centre + 0.095 * sizes.overall * out, extras.moment_label, palette::load, 0});
   }
   for (const Screw& screw : extras.screws) add_screw(scene, screw, p, outer, sizes);
 }

@@ -8,8 +8,7 @@ namespace pmreport::scene {
 
 // How a label is set: "A1" as A with the subscript 1, in Pango's markup, at `size` [px].
 std::string label_markup(const std::string& text, double size);
-double label_size(int picture_height);  // [px]
-constexpr double halo = 0.13;           // white rim around the letters, in font sizes; part of the box
+constexpr double halo = 0.13;  // white rim around the letters, in font sizes; part of the box
 
 // A label's box with what drawing needs to know: which label of the scene it is, and its leader line where it stands away from its point.
 struct LabelSpot {
@@ -18,8 +17,8 @@ struct LabelSpot {
   bool leader = false;
   Eigen::Vector2d from{0, 0}, to{0, 0};  // [px]
 };
-std::vector<LabelSpot> find_spots(const Scene& scene, const Camera& camera, int width, int height);
+std::vector<LabelSpot> find_spots(const Scene& scene, const Camera& camera, const Quality& quality);
 
-void draw_labels(Image& image, const Scene& scene, const Camera& camera);
+void draw_labels(Image& image, const Scene& scene, const Camera& camera, const Quality& quality);
 
 }  // namespace pmreport::scene

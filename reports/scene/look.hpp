@@ -25,11 +25,23 @@ inline constexpr Color x = rgb(0xc8342b), y = rgb(0x2f8f3c), z = rgb(0x2a5fc4);
 inline constexpr Color load = rgb(0x8f1d78), path = rgb(0xd2560a), ink = rgb(0x1c232c);
 }  // namespace palette
 
+// Whose curve a body is coloured by: the actuator, -1 none, and whether this body is the one that it moves.
+struct Drive {
+  int actuator = -1;
+  bool driven = false;
+};
+std::vector<Drive> drives_of_bodies(const Topology& topology);
+Color curve_color(int actuator);                       // that the plots give its curves, by its position among the actuators
+Color tinted(const Color& plain, const Drive& drive);  // towards that colour
+
 // The pieces of a picture; each adds to the scene.
 void add_bodies(Scene& scene, const mechanics::Machine& machine, const mechanics::Pose& pose, const Sizes& sizes);
 void add_joints(Scene& scene, const mechanics::Machine& machine, const mechanics::Pose& pose, const Sizes& sizes);
 void add_frame(Scene& scene, const Eigen::Vector3d& origin, const Eigen::Matrix3d& axes, const char* const names[4], double length);
 void add_extras(Scene& scene, const mechanics::Machine& machine, const mechanics::Pose& pose, const Sizes& sizes, const Extras& extras);
+
+// Beside the longest part that an actuator moves, at its middle; where nothing is drawn of it, at its joint. `names`: as of extras.
+void add_drive_names(Scene& scene, const mechanics::Machine& machine, const mechanics::Pose& pose, const std::vector<std::string>& names);
 
 // A plate that carries `points`, on its side away from `towards`, and a post from it to each of them.
 struct Carried {

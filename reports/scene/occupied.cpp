@@ -35,13 +35,14 @@ void polygon(cairo_t* cr, const std::vector<Eigen::Vector3d>& points, const View
   }
 }
 
-// The circle around a solid that stands, by its middle, at a labelled point: a ball, a hinge, an arm of a cross.
+// The circle around a solid that stands, by its middle, at a labelled point: a ball, a hinge, an arm of a cross. A label that knows
+// what it is to keep clear of labels no joint.
 std::optional<Disc> joint_symbol(const Scene& scene, const Solid& s, const View& view) {
   const bool round = s.kind == Solid::Kind::ball, bar = s.kind == Solid::Kind::cylinder;
   if (!round && !bar) return std::nullopt;
   const Eigen::Vector3d middle = round ? s.a : Eigen::Vector3d((s.a + s.b) / 2);
-  const bool labelled =
-      std::any_of(scene.labels.begin(), scene.labels.end(), [&](const Label& l) { return (l.at - middle).norm() * view.scale() < 0.5; });
+  const bool labelled = std::any_of(scene.labels.begin(), scene.labels.end(),
+                                    [&](const Label& l) { return l.clear == 0 && (l.at - middle).norm() * view.scale() < 0.5; });
   if (!round && !labelled) return std::nullopt;
   const double half = round ? 0 : (view.see(s.b) - view.see(s.a)).head<2>().norm() / 2;
   return Disc{view.see(middle).head<2>(), std::max(half, s.radius * view.scale())};
@@ -60,13 +61,13 @@ Occupied::Occupied(const Scene& scene, const View& view, int width, int height)
     cairo_new_path(cr);
     if (s.kind == Solid::Kind::plate) {
       polygon(cr, s.outline, view);
-      cairo_set_source_rgba(cr, 0, 0, 0, weight_plate);
+      cairo_set_source_rgba(cr, 0, 0, 0, weight_plate * s.color.a);
       cairo_fill(cr);
       continue;
     }
     const double r = s.radius * view.scale();
     const Eigen::Vector3d a = view.see(s.a);
-    cairo_set_source_rgba(cr, 0, 0, 0, weight_limb);
+    cairo_set_source_rgba(cr, 0, 0, 0, weight_limb * s.color.a);
     if (s.kind == Solid::Kind::ball) {
       cairo_arc(cr, a.x(), a.y(), r, 0, 2 * std::numbers::pi);
       cairo_fill(cr);
@@ -77,7 +78,7 @@ Occupied::Occupied(const Scene& scene, const View& view, int width, int height)
           const std::size_t u = axis == 1 ? 2 : 1, v = axis == 4 ? 2 : 4;
           cairo_new_path(cr);
           polygon(cr, {c[side], c[side | u], c[side | u | v], c[side | v]}, view);
-          cairo_set_source_rgba(cr, 0, 0, 0, weight_limb);
+          cairo_set_source_rgba(cr, 0, 0, 0, weight_limb * s.color.a);
           cairo_fill(cr);
         }
     } else {

@@ -51,9 +51,9 @@ bool overlap(const Box& b, const Disc& d, double apart) { return (nearest(b, d.c
 
 class Placer {
  public:
-  Placer(const Scene& scene, const View& view, int width, int height)
+  Placer(const Scene& scene, const View& view, int width, int height, double printed)
       : scene_(scene),
-        size_(label_size(height)),
+        size_(label_size(width, printed)),
         picture_{0.2 * size_, 0.2 * size_, width - 0.2 * size_, height - 0.2 * size_},
         occupied_(scene, view, width, height) {
     measure(view, width, height);
@@ -89,7 +89,7 @@ class Placer {
       const figure::Text text(cr, label_markup(label.text, size_), {size_}, 0, true);
       PangoRectangle ink;
       pango_layout_get_extents(text.layout(), &ink, nullptr);
-      double clear = 0;
+      double clear = label.clear * view.scale();
       for (const Disc& d : occupied_.joints())
         if ((d.centre - at).norm() < 0.5) clear = std::max(clear, d.radius);
       anchors_.push_back(
@@ -189,7 +189,10 @@ class Placer {
 
 }  // namespace
 
-double label_size(int picture_height) { return 0.024 * picture_height; }
+double label_size(int width, double printed) {
+  constexpr double points = 7, millimetres_per_point = 25.4 / 72;
+  return points * millimetres_per_point * width / printed;
+}
 
 // A letter p behind the digits stands for a prime: names of the program have none.
 std::string label_markup(const std::string& text, double size) {
@@ -203,13 +206,13 @@ std::string label_markup(const std::string& text, double size) {
                      -std::lround(0.18 * size * PANGO_SCALE), name.substr(end));
 }
 
-std::vector<LabelSpot> find_spots(const Scene& scene, const Camera& camera, int width, int height) {
-  return Placer(scene, View(camera, width, height), width, height).place();
+std::vector<LabelSpot> find_spots(const Scene& scene, const Camera& camera, const Quality& q) {
+  return Placer(scene, View(camera, q.width, q.height), q.width, q.height, q.printed).place();
 }
 
-std::vector<PlacedLabel> place_labels(const Scene& scene, const Camera& camera, int width, int height) {
+std::vector<PlacedLabel> place_labels(const Scene& scene, const Camera& camera, const Quality& quality) {
   std::vector<PlacedLabel> boxes;
-  for (LabelSpot& s : find_spots(scene, camera, width, height)) boxes.push_back(std::move(s.box));
+  for (LabelSpot& s : find_spots(scene, camera, quality)) boxes.push_back(std::move(s.box));
   return boxes;
 }
 

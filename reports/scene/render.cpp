@@ -7,7 +7,7 @@ namespace pmreport::scene {
 Image render(const Scene& scene, const Camera& camera, const Quality& quality) {
   thread_local Renderer renderer;
   Image image = renderer.draw(scene, camera, quality);
-  draw_labels(image, scene, camera);
+  draw_labels(image, scene, camera, quality);
   return image;
 }
 

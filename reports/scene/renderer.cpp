@@ -15,6 +15,7 @@ namespace {
 constexpr int samples_per_pixel = 4;
 constexpr int heights_size = 1024, shade_size = 512;  // [px] of the shadow maps
 constexpr double outline_width = 1.1;                 // [px]
+constexpr double ghost_outline = 0.4;                 // opacity
 const Eigen::Vector4f outline_ink(0.012f, 0.016f, 0.024f, 1), no_ink(0, 0, 0, 0);
 
 void texture_2d(const Texture& texture, GLint format, int size, GLenum layout, GLenum type, GLint filter) {
@@ -187,8 +188,9 @@ void Renderer::set_view(const Program& program, const Frame& frame) {
   program.set("outline", 0.0);
 }
 
-// Of the tile now drawn: the parts that can touch it, solids and opaque surfaces first, then lines and outlines, then translucent surfaces,
-// then what shows through.
+// Of the tile now drawn: the parts that can touch it, solids and opaque surfaces first, then lines and outlines, then ghosts, then
+// translucent surfaces, then what shows through. Of ghosts the depths come first, so that only the nearest surface of all of them tints
+// what is behind.
 bool Renderer::draw_tile(const Frame& frame, int x, int y, int width, int height) {
   const int s = frame.quality.supersample;
   std::vector<const Part*> here;
@@ -234,9 +236,26 @@ bool Renderer::draw_tile(const Frame& frame, int x, int y, int width, int height
   each(Part::Kind::solid);
   glDisable(GL_CULL_FACE);
 
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  if (std::ranges::any_of(here, [](const Part* p) { return p->kind == Part::Kind::ghost; })) {
+    solid_.use();
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    each(Part::Kind::ghost);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthFunc(GL_LEQUAL);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    each(Part::Kind::ghost);
+    glDepthFunc(GL_LESS);
+    glEnable(GL_CULL_FACE);
+    plain_.use();
+    plain_.set("opacity", ghost_outline);
+    each(Part::Kind::ghost);
+    glDisable(GL_CULL_FACE);
+  }
+
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   surface_.use();
   each(Part::Kind::film);
 
@@ -307,7 +326,9 @@ Image Renderer::draw(const Scene& scene, const Camera& camera, const Quality& qu
   develop_.set("samples", 1);
   develop_.set("shade", 0);
   develop_.set("supersample", s);
-  develop_.set("films", std::ranges::any_of(mesh.parts, [](const Part& p) { return p.kind == Part::Kind::film; }) ? 1 : 0);
+  develop_.set(
+      "films",
+      std::ranges::any_of(mesh.parts, [](const Part& p) { return p.kind == Part::Kind::film || p.kind == Part::Kind::ghost; }) ? 1 : 0);
   develop_.set("background", quality.transparent ? Eigen::Vector4f(0, 0, 0, 0) : Eigen::Vector4f(1, 1, 1, 1));
   constexpr double edge_on = 0.02;
   if (steep > edge_on) {

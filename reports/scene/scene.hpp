@@ -11,7 +11,7 @@
 namespace pmreport::scene {
 
 struct Color {
-  float r, g, b, a = 1;
+  float r, g, b, a = 1;  // sRGB, 0 to 1
 };
 
 struct Solid {
@@ -20,7 +20,7 @@ struct Solid {
   double radius = 0;
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // of a box
   std::vector<Eigen::Vector3d> outline;                // of a plate: convex polygon at mid-thickness, `radius` its thickness
-  Color color;
+  Color color;        // alpha below 1: a ghost, whose nearest surface lies over what is behind; it casts no shadow
   float through = 0;  // opacity of what other solids hide of it: 0 not seen, 1 as if nothing were in front
   int body = 0;       // that carries it; of what belongs to none, as arrows and frames, without meaning
 };
@@ -38,6 +38,7 @@ struct Label {
   Eigen::Vector3d at;
   std::string text;  // "A1": letters then digits are set as a subscript
   Color color;
+  double clear = 0;  // [m] radius of what stands there and is not to be covered
 };
 
 struct Bounds {
@@ -77,6 +78,7 @@ struct Quality {
   int width = 1600, height = 1200;
   bool transparent = false;  // else white
   int supersample = 2;       // and 4x multisampling
+  double printed = 85;       // [mm] width on paper, at which labels are 7 pt: half a page where not told
 };
 
 // A screw: its axis through a point, as a long line, with an arrow along it (pitch infinite: a translation or a couple), around it (pitch
@@ -92,15 +94,21 @@ struct Screw {
 struct Extras {
   std::vector<Eigen::Vector3d> path;                // of the platform's reference point over the motion
   Eigen::Vector3d force{0, 0, 0}, moment{0, 0, 0};  // applied to the platform, drawn as an arrow, a curved arrow
-  bool labels = true, frames = true;
+  double full_force = 0, full_moment = 0;           // [N], [N m] for which they are drawn full size; zero: for their own
+  std::string force_label = "F", moment_label = "M";
+  bool labels = true, joint_names = true, frames = true;  // without labels nothing has a name
+  std::vector<std::string> drives;                        // names of the actuators, where they are not to be those of the topology
+  float base_opacity = 1;                                 // below 1: the base is a ghost, that hides nothing
   std::vector<Screw> screws;
   std::vector<Surface> surfaces;
   std::vector<Polyline> lines;
 };
 
 // The scene of one pose: base, platform, bodies by their shapes or joints, joints by kind (ball, hinge with its axis, cross), labels by
-// joint name, frames O and o.
+// joint name, frames O and o. What an actuator moves has the colour that plots give its curves, and its name beside it.
 Scene build(const mechanics::Machine& machine, const mechanics::Pose& pose, const Extras& extras);
+constexpr double longest_force = 0.25;                   // of the overall size: the arrow of the full force
+double overall_size(const mechanics::Machine& machine);  // mean edge of the box around the joints at home [m]
 
 // Bounds of all that is drawn of a pose; a report includes all its samples, then frames every picture alike.
 void include(Bounds& bounds, const mechanics::Machine& machine, const mechanics::Pose& pose);
@@ -115,11 +123,12 @@ Image render(const Scene& scene, const Camera& camera, const Quality& quality);
 std::string to_png(const Image& image);  // same bytes every time
 
 // Where a point appears [px from the top left], and which label boxes were placed where: for tests.
+double label_size(int width, double printed);  // [px] of 7 pt in a picture `width` [px], printed that wide [mm]
 Eigen::Vector2d project(const Camera& camera, const Eigen::Vector3d& point, int width, int height);
 struct PlacedLabel {
   std::string text;
   double x, y, width, height;  // box [px], top left corner
 };
-std::vector<PlacedLabel> place_labels(const Scene& scene, const Camera& camera, int width, int height);
+std::vector<PlacedLabel> place_labels(const Scene& scene, const Camera& camera, const Quality& quality);
 
 }  // namespace pmreport::scene

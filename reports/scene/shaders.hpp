@@ -62,7 +62,7 @@ void main() {
   float h = max(0.0, dot(m, vec3(-0.266, 0.310, 0.913)));  // between key light and viewer
   float s = h * h; s *= s; s *= s; s *= s; s *= s;  // h^32
   vec3 sum = base * (open * (0.62 * key + mix(0.10, 0.34, sky)) + 0.22 * fill + 0.12 * back) + 0.16 * s * open;
-  result = vec4(sqrt(min(sum, vec3(1.0))), 1.0);
+  result = vec4(sqrt(min(sum, vec3(1.0))), paint.a);
 }
 )";
 
@@ -143,7 +143,7 @@ void main() {
 inline constexpr const char* develop_fragment = R"(#version 330 core
 uniform sampler2DMS samples;
 uniform int supersample, any;   // any 0: nothing but ground in this tile
-uniform int films;              // 1: there are translucent surfaces
+uniform int films;              // 1: there are translucent surfaces or ghosts
 uniform vec2 origin;            // of the tile [px]
 uniform vec4 background;        // premultiplied
 uniform int ground;             // 0 none, 1 plane, 2 seen edge-on as a line

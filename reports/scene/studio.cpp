@@ -1,5 +1,7 @@
 #include <reports/scene/studio.hpp>
 
+#include <reports/scene/vector/drawing.hpp>
+
 #include <memory>
 #include <utility>
 
@@ -27,7 +29,7 @@ void Studio::prepare() {
   scene.lines.push_back(line);
   Camera camera;
   camera.elevation = 0.5;
-  (void)take(std::move(scene), camera, {64, 48, false, 2});
+  (void)take(std::move(scene), camera, {64, 48, false, 2}, "", "");
 }
 
 Studio::~Studio() {
@@ -40,18 +42,22 @@ Studio::~Studio() {
   thread_.join();
 }
 
-std::future<std::string> Studio::take(Scene scene, const Camera& camera, const Quality& quality) {
-  const auto promise = std::make_shared<std::promise<std::string>>();
-  std::future<std::string> png = promise->get_future();
-  auto job = [this, promise, scene = std::move(scene), camera, quality] {
+std::future<Prints> Studio::take(Scene scene, const Camera& camera, const Quality& quality, const std::string& id,
+                                 const std::string& title) {
+  const auto promise = std::make_shared<std::promise<Prints>>();
+  std::future<Prints> prints = promise->get_future();
+  auto job = [this, promise, scene = std::move(scene), camera, quality, id, title]() mutable {
     try {
-      encoders_.push_back(std::async(std::launch::async, [promise, image = render(scene, camera, quality)] {
-        try {
-          promise->set_value(to_png(image));
-        } catch (...) {
-          promise->set_exception(std::current_exception());
-        }
-      }));
+      Image image = render(scene, camera, quality);
+      encoders_.push_back(
+          std::async(std::launch::async, [promise, image = std::move(image), scene = std::move(scene), camera, quality, id, title] {
+            try {
+              const Drawing drawing = draw(scene, camera, quality);
+              promise->set_value({to_png(image), to_pdf(drawing), to_svg(drawing, id, title)});
+            } catch (...) {
+              promise->set_exception(std::current_exception());
+            }
+          }));
     } catch (...) {
       promise->set_exception(std::current_exception());
     }
@@ -61,7 +67,7 @@ std::future<std::string> Studio::take(Scene scene, const Camera& camera, const Q
     queue_.emplace_back(std::move(job));
   }
   changed_.notify_one();
-  return png;
+  return prints;
 }
 
 void Studio::work() {

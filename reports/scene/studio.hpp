@@ -1,5 +1,5 @@
 // Takes pictures one after the other on a thread of its own. An OpenGL context belongs to one thread; shaders compile there while the
-// caller still computes, and a picture is compressed while the next one is drawn.
+// caller still computes, and a picture is compressed, and drawn as vectors, while the next one is rendered.
 #pragma once
 
 #include <reports/scene/scene.hpp>
@@ -14,6 +14,11 @@
 
 namespace pmreport::scene {
 
+struct Prints {  // of one picture
+  std::string png;
+  std::string pdf, svg;  // vectors, as wide as it is printed
+};
+
 class Studio {
  public:
   Studio();
@@ -22,8 +27,8 @@ class Studio {
   // Sets the renderer up, if pictures are to come: context and shaders take as long as a picture.
   void prepare();
 
-  // The PNG of a picture. The future throws what render() throws.
-  std::future<std::string> take(Scene scene, const Camera& camera, const Quality& quality);
+  // The picture; `id` and `title` are those of the SVG. The future throws what render() throws.
+  std::future<Prints> take(Scene scene, const Camera& camera, const Quality& quality, const std::string& id, const std::string& title);
 
  private:
   void work();

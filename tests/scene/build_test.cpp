@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <core/mechanics/machine/machine.hpp>
 #include <pmreport/mechanism.hpp>
+#include <reports/figure/palette.hpp>
 #include <reports/scene/look.hpp>
 #include <set>
 
@@ -88,10 +89,67 @@ TEST_CASE("every joint but a slide has its name beside it, and the frames have t
   const scene::Scene s = scene::build(m, m.home_pose(), {});
   std::multiset<std::string> names;
   for (const auto& l : s.labels) names.insert(l.text);
-  CHECK((names == std::multiset<std::string>{"A1", "B1", "A2", "B2", "A3", "B3", "O", "X", "Y", "Z", "o", "x", "y", "z"}));
+  CHECK((names == std::multiset<std::string>{"A1", "B1", "A2", "B2", "A3", "B3", "O", "X", "Y", "Z", "o", "x", "y", "z", "l"}));
+  scene::Extras without;
+  without.joint_names = false;
+  without.drives = {"λ"};
+  names.clear();
+  for (const auto& l : scene::build(m, m.home_pose(), without).labels) names.insert(l.text);
+  CHECK((names == std::multiset<std::string>{"O", "X", "Y", "Z", "o", "x", "y", "z", "λ"}));
   scene::Extras bare;
   bare.labels = bare.frames = false;
   CHECK(scene::build(m, m.home_pose(), bare).labels.empty());
+}
+
+TEST_CASE("what an actuator moves has the colour that plots give its curves, most of it where it moves, and its name beside it") {
+  const auto& m = rig(1);
+  const scene::Scene s = scene::build(m, m.home_pose(), {});
+  const figure::Colour curve = figure::line_style(0).colour;
+  const auto from_curve = [&](const scene::Color& c) {
+    return std::max({std::abs(c.r - curve.red), std::abs(c.g - curve.green), std::abs(c.b - curve.blue)});
+  };
+  double piston = 1, cylinder = 1;
+  Vector3d middle;
+  for (const Solid& x : s.solids) {
+    if (x.kind != Solid::Kind::cylinder) continue;  // the ball
+    if (x.body == 3) piston = from_curve(x.color), middle = (x.a + x.b) / 2;
+    if (x.body == 2 && !has_color(x, scene::palette::universal)) cylinder = from_curve(x.color);
+  }
+  CHECK(piston < 0.2);
+  CHECK(cylinder < from_curve(scene::palette::tube));
+  CHECK(piston < cylinder);
+  // The limbs that no actuator moves are grey.
+  CHECK(std::ranges::any_of(s.solids, [](const Solid& x) { return x.body == 6 && has_color(x, scene::palette::tube); }));
+  CHECK(std::ranges::any_of(s.solids, [](const Solid& x) { return x.body == 5 && has_color(x, scene::palette::rod); }));
+
+  const auto name = std::ranges::find_if(s.labels, [](const scene::Label& l) { return l.text == "l"; });
+  REQUIRE(name != s.labels.end());
+  CHECK(from_curve(name->color) < 1e-6);
+  CHECK(name->at.isApprox(middle));
+  CHECK(name->clear > 0);
+}
+
+TEST_CASE("of two actuators in one limb each colours its own part, and a limb of one actuator belongs to it altogether") {
+  Topology t;
+  t.platform = t.add(Body{"platform", 0, false, {}});
+  const int slider = t.add(Body{"slider", 1, false, {}}), tube = t.add(Body{"tube", 1, false, {}}), rod = t.add(Body{"rod", 1, false, {}});
+  const int arm = t.add(Body{"arm", 2, false, {}}), link = t.add(Body{"link", 2, false, {}});
+  t.add(Joint{"P1", JointKind::prismatic, 0, slider, {}});
+  t.add(Joint{"P2", JointKind::prismatic, tube, rod, {}});
+  t.add(Joint{"A", JointKind::revolute, arm, 0, {}});
+  for (const int joint : {0, 1, 2}) t.add(Actuator{"q" + std::to_string(joint + 1), "", "m", joint, {0, 1}});
+  const std::vector<scene::Drive> drives = scene::drives_of_bodies(t);
+  const auto is = [&](int body, int actuator, bool driven) {
+    const scene::Drive& d = drives[static_cast<std::size_t>(body)];
+    return d.actuator == actuator && d.driven == driven;
+  };
+  CHECK(is(0, -1, false));
+  CHECK(is(t.platform, -1, false));
+  CHECK(is(slider, 0, true));
+  CHECK(is(tube, 1, false));
+  CHECK(is(rod, 1, true));
+  CHECK(is(arm, 2, true));
+  CHECK(is(link, 2, false));
 }
 
 TEST_CASE("each kind of joint is drawn by its symbol, at its centre, along its axes") {
@@ -176,6 +234,32 @@ TEST_CASE("a force that pushes ends at the reference point, one that pulls begin
     CHECK((head.b - head.a).normalized().isApprox(Vector3d(0, 0, sign)));
     CHECK((sign < 0 ? head.b : shaft.a).isApprox(p));
     CHECK(std::max(head.b.z(), shaft.a.z()) > 0.5);
+  }
+}
+
+TEST_CASE("arrows of force are to scale where the full force is told") {
+  const auto& m = rig(1);
+  const auto length = [&](double force, double full) {
+    scene::Extras load;
+    load.force = {0, 0, force};
+    load.full_force = full;
+    const auto arrow = of_color(scene::build(m, m.home_pose(), load), scene::palette::load);
+    return (arrow[1].b - arrow[0].a).norm();
+  };
+  const double longest = scene::longest_force * scene::overall_size(m);
+  CHECK(length(40, 0) == Approx(longest));
+  CHECK(length(40, 40) == Approx(longest));
+  CHECK(length(10, 40) == Approx(longest / 4));
+}
+
+TEST_CASE("a base that is seen through is a ghost with its rails, and nothing else is") {
+  const auto& m = rig(1);
+  scene::Extras extras;
+  extras.base_opacity = 0.3f;
+  for (const Solid& x : scene::build(m, m.home_pose(), extras).solids) {
+    const bool of_base =
+        x.body == 0 && (has_color(x, scene::palette::base) || has_color(x, scene::palette::post) || has_color(x, scene::palette::rod));
+    CHECK(x.color.a == (of_base ? 0.3f : 1.0f));
   }
 }
 

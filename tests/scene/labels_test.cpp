@@ -32,6 +32,9 @@ Scene crowd(unsigned seed) {
   return scene;
 }
 
+// 800 pixels for a page's width: labels of 14 pixels.
+constexpr Quality page{800, 600, false, 2, 140};
+
 bool overlap(const PlacedLabel& a, const PlacedLabel& b) {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
@@ -44,7 +47,7 @@ TEST_CASE("labels overlap neither one another nor a joint, and stay in the pictu
     CAPTURE(seed);
     const Scene scene = crowd(seed);
     const Camera camera{{0, 0, 0.35}, 0.1 * seed, 0.005 * seed, 1.5};
-    const std::vector<PlacedLabel> placed = place_labels(scene, camera, width, height);
+    const std::vector<PlacedLabel> placed = place_labels(scene, camera, page);
     REQUIRE(placed.size() == scene.labels.size());
     for (std::size_t i = 0; i < placed.size(); ++i) {
       const PlacedLabel& l = placed[i];
@@ -67,12 +70,12 @@ TEST_CASE("a label alone stands close to its joint, without a leader: one in a c
   ball.kind = Solid::Kind::ball, ball.radius = 0.02;
   lone.solids = {ball};
   lone.labels = {{{0, 0, 0}, "A1", {0, 0, 0}}};
-  const auto spots = find_spots(lone, {}, 800, 600);
+  const auto spots = find_spots(lone, {}, page);
   REQUIRE(spots.size() == 1);
   CHECK_FALSE(spots[0].leader);
   const PlacedLabel& b = spots[0].box;
   const Eigen::Vector2d near(std::clamp(400.0, b.x, b.x + b.width), std::clamp(300.0, b.y, b.y + b.height));
-  CHECK((near - Eigen::Vector2d(400, 300)).norm() < 12 + label_size(600));
+  CHECK((near - Eigen::Vector2d(400, 300)).norm() < 12 + label_size(800, 140));
 
   Scene packed;  // 5 x 5 joints, so close that no label fits between them
   for (int k = 0; k < 25; ++k) {
@@ -80,18 +83,46 @@ TEST_CASE("a label alone stands close to its joint, without a leader: one in a c
     packed.solids.push_back(ball);
     packed.labels.push_back({ball.a, "P" + std::to_string(k + 1), {0, 0, 0}});
   }
-  const auto moved = find_spots(packed, {{0.09, 0, 0.09}, 0, 0, 1}, 800, 600);
+  const auto moved = find_spots(packed, {{0.09, 0, 0.09}, 0, 0, 1}, page);
   REQUIRE(moved.size() == 25);
   const auto inner = moved[12];
   CHECK(inner.leader);
 }
 
+TEST_CASE("a label is 7 points on paper, however many pixels the picture has and however large it is printed") {
+  Scene lone;
+  lone.labels = {{{0, 0, 0}, "H", {0, 0, 0}}};
+  // DejaVu's capitals are 0.729 of the size high; the rim is 0.13 of it on either side. Pango places on whole pixels.
+  constexpr double seven_points = 7 * 25.4 / 72, height = (0.729 + 2 * 0.13) * seven_points;  // [mm]
+  for (const Quality q : {Quality{1600, 1200, false, 2, 85}, Quality{800, 600, false, 2, 85}, Quality{1200, 900, false, 2, 140}}) {
+    CAPTURE(q.width, q.printed);
+    const double millimetres_per_pixel = q.printed / q.width;
+    const auto placed = place_labels(lone, {}, q);
+    REQUIRE(placed.size() == 1);
+    CHECK(std::abs(placed[0].height * millimetres_per_pixel - height) < 2 * millimetres_per_pixel);
+  }
+}
+
+TEST_CASE("a label that names a rod stands beside it, and close") {
+  Scene scene;
+  Solid rod{};
+  rod.kind = Solid::Kind::cylinder, rod.a = {0, 0, -0.3}, rod.b = {0, 0, 0.3}, rod.radius = 0.03;
+  scene.solids = {rod};
+  scene.labels = {{{0, 0, 0}, "l1", {0, 0, 0}, 0.03}};
+  const auto placed = place_labels(scene, {}, page);
+  REQUIRE(placed.size() == 1);
+  constexpr double radius = 0.03 * 600;  // [px] of a window of 1 m
+  const double left = placed[0].x, right = placed[0].x + placed[0].width;
+  CHECK((right <= 400 - radius || left >= 400 + radius));
+  CHECK(std::min(std::abs(right - 400), std::abs(left - 400)) < radius + label_size(800, 140));
+}
+
 TEST_CASE("labels that no picture could hold are left out rather than piled up") {
   Scene scene = crowd(5);
-  const auto placed = place_labels(scene, {{0, 0, 0.35}, 0, 0, 1.5}, 800, 600);
+  const auto placed = place_labels(scene, {{0, 0, 0.35}, 0, 0, 1.5}, page);
   CHECK(placed.size() == scene.labels.size());
   scene.labels = {{{0, 0, 0.35}, std::string(400, 'W'), {0, 0, 0}}, {{100, 0, 0}, "far", {0, 0, 0}}, {{0, 0, 0}, "", {0, 0, 0}}};
-  CHECK(place_labels(scene, {{0, 0, 0.35}, 0, 0, 1.5}, 800, 600).empty());
+  CHECK(place_labels(scene, {{0, 0, 0.35}, 0, 0, 1.5}, page).empty());
 }
 
 TEST_CASE("digits after letters are set as a subscript, and markup in a name is only text") {

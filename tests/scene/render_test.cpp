@@ -89,6 +89,50 @@ TEST_CASE("what is nearer covers what is farther, unless that is to be seen thro
   CHECK(pixel(through, 50, 50)[0] > 2 * pixel(through, 50, 50)[2]);
 }
 
+TEST_CASE("a ghost tints what is behind it by its nearest surface alone, hides what is not, and casts no shadow") {
+  const Camera front{{0, 0, 0}, 0, 0.35, 1};
+  const Quality small{200, 150, false, 2};
+  const Color red{0.9f, 0.1f, 0.1f}, blue{0.1f, 0.1f, 0.9f}, pale{0.1f, 0.1f, 0.9f, 0.3f};
+  const auto middle = [&](const std::vector<Solid>& solids) {
+    Scene scene;
+    scene.solids = solids;
+    scene.ground = -1;
+    const Image image = render(scene, front, small);
+    const std::uint8_t* p = pixel(image, 100, 75);
+    return Eigen::Vector3i(p[0], p[1], p[2]);
+  };
+  const Solid far = ball_at({0, 0.3, 0}, 0.2, red);
+  const Eigen::Vector3i alone = middle({far}), tinted = middle({far, ball_at({0, 0, 0}, 0.1, pale)}),
+                        covered = middle({far, ball_at({0, 0, 0}, 0.1, blue)});
+  CHECK(tinted[0] < alone[0]);
+  CHECK(tinted[0] > covered[0]);
+  CHECK(tinted[2] > alone[2]);
+  CHECK(tinted[2] < covered[2]);
+  // Two ghosts in a line are one tint, in whatever order they are given.
+  const Solid nearer = ball_at({0, -0.05, 0}, 0.1, pale);
+  const Eigen::Vector3i twice = middle({far, ball_at({0, 0, 0}, 0.1, pale), nearer}),
+                        other = middle({nearer, far, ball_at({0, 0, 0}, 0.1, pale)});
+  CHECK((twice - tinted).cwiseAbs().maxCoeff() < (tinted - alone).cwiseAbs().maxCoeff() / 4);  // the nearer one's light is another
+  CHECK((twice - other).cwiseAbs().maxCoeff() <= 1);
+  // Behind a solid there is none of it.
+  CHECK((middle({ball_at({0, -0.5, 0}, 0.3, red), nearer}) == middle({ball_at({0, -0.5, 0}, 0.3, red)})));
+
+  Scene shadow;
+  shadow.solids = {ball_at({0, 0, 0.3}, 0.1, pale), ball_at({5, 0, 0}, 0.1, red)};
+  const Camera above{{0, 0, 0}, 0, 1.5, 2};
+  const Image with = render(shadow, above, small);
+  shadow.solids.erase(shadow.solids.begin());
+  const Image without = render(shadow, above, small);
+  int darker = 0;
+  for (int y = 0; y < 150; ++y)
+    for (int x = 0; x < 200; ++x) {
+      const Vector3d centre(0, 0, 0.3);
+      if ((project(above, centre, 200, 150) - Eigen::Vector2d(x + 0.5, y + 0.5)).norm() < 12) continue;  // the ball itself
+      darker += pixel(with, x, y)[0] + 2 < pixel(without, x, y)[0] ? 1 : 0;
+    }
+  CHECK(darker == 0);
+}
+
 TEST_CASE("two pictures of one scene have the same bytes, also from another thread, also after another picture") {
   const Image first = render(assorted(), isometric, {400, 300, false, 2});
   render(assorted(), {{0, 0, 0}, 0, 0, 3}, {100, 80, true, 1});

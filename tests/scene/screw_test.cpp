@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <core/mechanics/machine/machine.hpp>
 #include <limits>
@@ -103,6 +104,27 @@ TEST_CASE("pitch zero turns about the axis, pitch infinite runs along it, any ot
     }
     CHECK(along * around * pitch > 0);
   }
+}
+
+TEST_CASE("a far axis is an arrow towards it with the distance, and the motion of the platform an arrow along it") {
+  const Vector3d platform(0, 0, 0.5), foot = platform + Vector3d(4, 0, 0);
+  std::vector<scene::Label> labels;
+  const scene::Screw far{foot + Vector3d(0, 0, 7), Vector3d::UnitZ(), 0, "$", pink};
+  const auto arrows = cones(drawn(far, &labels));
+  REQUIRE(arrows.size() == 2);
+  const auto points = [&](const Vector3d& d) {
+    return std::ranges::any_of(arrows, [&](const Solid& c) { return (c.b - c.a).normalized().isApprox(d, 1e-9); });
+  };
+  CHECK(points(Vector3d::UnitX()));
+  CHECK(points(-Vector3d::UnitY()));  // a turn about +Z at x = 4 m takes what is at x = 0 along -Y
+  CHECK(std::ranges::any_of(labels, [](const auto& l) { return l.text == "axis 4 m away"; }));
+
+  static const mechanics::Machine machine(contract::mechanism<Stool>, {});
+  scene::Bounds bounds;
+  scene::include(bounds, machine, machine.home_pose());
+  const double before = (bounds.high - bounds.low).norm();
+  scene::include(bounds, machine, machine.home_pose(), far);
+  CHECK((bounds.high - bounds.low).norm() < 2 * before);
 }
 
 TEST_CASE("a screw adds one label and leaves those of the joints") {

@@ -54,24 +54,24 @@ class Mesher {
         plate(solid.outline, solid.radius);
         break;
     }
-    end(false, solid.through);
+    end(solid.color.a < 1 ? Part::Kind::ghost : Part::Kind::solid, solid.through);
   }
 
   void add(const Polyline& line) {
     begin(line.color);
     ribbon(line);
-    end(true, line.through);
+    end(Part::Kind::line, line.through);
   }
 
  private:
   void begin(const Color& c) {
     const auto byte = [](float x) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0f, 1.0f))); };
-    color_ = {byte(c.r), byte(c.g), byte(c.b), 255};
+    color_ = {byte(c.r), byte(c.g), byte(c.b), byte(c.a)};
     first_index_ = mesh_.indices.size();
     first_vertex_ = mesh_.vertices.size();
   }
 
-  void end(bool line, float through) {
+  void end(Part::Kind kind, float through) {
     if (mesh_.indices.size() == first_index_) return;
     constexpr float inf = std::numeric_limits<float>::infinity();
     Part part{static_cast<std::uint32_t>(first_index_),
@@ -82,7 +82,7 @@ class Mesher {
               -inf,
               -inf,
               inf,
-              line ? Part::Kind::line : Part::Kind::solid,
+              kind,
               through};
     for (std::size_t i = first_vertex_; i < mesh_.vertices.size(); ++i) {
       const auto& p = mesh_.vertices[i].position;

@@ -11,16 +11,16 @@ namespace pmreport::scene {
 struct Vertex {
   std::array<float, 3> position;      // of the view [px]
   std::array<float, 3> normal;        // right, up, towards the viewer; zero: shown in its plain colour (lines)
-  std::array<std::uint8_t, 4> color;  // sRGB; alpha counts on surfaces alone
+  std::array<std::uint8_t, 4> color;  // sRGB; alpha counts on ghosts and surfaces
 };
 
-// The triangles of one solid, line or surface, or of all translucent surfaces, and the part of the picture they can touch.
+// The triangles of one solid, ghost, line or surface, or of all translucent surfaces, and the part of the picture they can touch.
 struct Part {
-  std::uint32_t first = 0, count = 0;                                 // of the indices
-  float left = 0, top = 0, right = 0, bottom = 0;                     // [px]
-  float near = 0, far = 0;                                            // depth [px], near >= far
-  enum class Kind { solid, line, surface, film } kind = Kind::solid;  // film: of translucent surfaces, the farthest triangle first
-  float through = 0;                                                  // opacity where hidden
+  std::uint32_t first = 0, count = 0;                                        // of the indices
+  float left = 0, top = 0, right = 0, bottom = 0;                            // [px]
+  float near = 0, far = 0;                                                   // depth [px], near >= far
+  enum class Kind { solid, ghost, line, surface, film } kind = Kind::solid;  // film: of translucent surfaces, the farthest triangle first
+  float through = 0;                                                         // opacity where hidden
 };
 
 struct Mesh {
