@@ -43,7 +43,7 @@ int approve(const Options& options) {
     throw compare::InputError(fmt::format("{}: the report itself cannot be its baseline; choose another name", name));
   if (!fs::exists(fs::status(baseline, ignored))) {
     compare::replace_file(baseline, bytes);
-    if (!options.quiet) fmt::print("{}: new baseline of {} values and {} verdicts\n", name, fresh.values.size(), fresh.judgements.size());
+    if (!options.quiet) put("{}: new baseline of {} values and {} verdicts\n", name, fresh.values.size(), fresh.judgements.size());
     return all_well;
   }
   const std::string old_bytes = compare::bytes_of_results(baseline);
@@ -51,10 +51,10 @@ int approve(const Options& options) {
   if (old_bytes != bytes) compare::replace_file(baseline, bytes);
   if (options.quiet) return all_well;
   if (old_bytes == bytes)
-    fmt::print("{}: is this very baseline; nothing changed\n", name);
+    put("{}: is this very baseline; nothing changed\n", name);
   else
-    fmt::print("{}{}: replaced; above, A is the baseline until now, B the new one\n",
-               compare::to_text(compare::compare(both, {options.relative, options.absolute})), name);
+    put("{}{}: replaced; above, A is the baseline until now, B the new one\n",
+        compare::to_text(compare::compare(both, {options.relative, options.absolute})), name);
   return all_well;
 }
 

@@ -50,12 +50,12 @@ void print_property(const Property& p, const char* indent) {
     case Verdict::not_applicable:
       return;
     case Verdict::not_examined:
-      fmt::print("{}{:<50} {:>9} {:>9} {:<4} not examined: {}\n", indent, p.claim, "", "", "", p.unexamined);
+      put("{}{:<50} {:>9} {:>9} {:<4} not examined: {}\n", indent, p.claim, "", "", "", p.unexamined);
       return;
     default:
       const bool passed = p.verdict() == Verdict::passed;
-      fmt::print("{}{:<50} {:>9.1e} {:>9.0e} {:<4} {}\n", indent, p.claim, p.worst, p.tolerance, p.unit, passed ? "pass" : "FAIL");
-      if (!passed) fmt::print("{}    compared: {}\n{}    worst: {}\n", indent, p.how, indent, p.where);
+      put("{}{:<50} {:>9.1e} {:>9.0e} {:<4} {}\n", indent, p.claim, p.worst, p.tolerance, p.unit, passed ? "pass" : "FAIL");
+      if (!passed) put("{}    compared: {}\n{}    worst: {}\n", indent, p.how, indent, p.where);
   }
 }
 
@@ -75,25 +75,24 @@ void check_settings(const mechanics::Settings& settings, const char* what, bool 
   }
   const int all = static_cast<int>(settings.taken.size());
   if (all == 0 && settings.refused == 0) return;
-  if (all > 0)
-    fmt::print("{} {}, home and {} random poses each: {}", all, what, poses, failed == 0 ? "pass" : fmt::format("{} FAIL", failed));
+  if (all > 0) put("{} {}, home and {} random poses each: {}", all, what, poses, failed == 0 ? "pass" : fmt::format("{} FAIL", failed));
   if (settings.refused > 0)
-    fmt::print("{}{} {} refused, such as: {}", all > 0 ? "; " : fmt::format("{}: ", what), settings.refused,
-               settings.refused == 1 ? "was" : "were", settings.example);
-  fmt::print("\n");
+    put("{}{} {} refused, such as: {}", all > 0 ? "; " : fmt::format("{}: ", what), settings.refused,
+        settings.refused == 1 ? "was" : "were", settings.example);
+  put("\n");
   for (const auto& [words, broken] : first) {
-    fmt::print("  with {}\n", words);
+    put("  with {}\n", words);
     for (const Property& p : broken) print_property(p, "    ");
   }
-  if (failed > told) fmt::print("  and with {} others\n", failed - told);
+  if (failed > told) put("  and with {} others\n", failed - told);
   c.settings += all;
   c.failed_settings += failed;
 }
 
 // Runs the suite and prints it. `way`: poses of a motion, to be looked at as well; `by`: what set the parameters.
 Checked print_properties(const Machine& machine, int poses, const std::vector<Eigen::VectorXd>& way = {}, const std::string& by = {}) {
-  fmt::print("{}{}: home{} and {} random poses\n\n{:<50} {:>9} {:>9}      \n", machine.info().name, by,
-             way.empty() ? "" : fmt::format(", {} poses of its motion", way.size()), poses, "property", "worst", "allowed");
+  put("{}{}: home{} and {} random poses\n\n{:<50} {:>9} {:>9}      \n", machine.info().name, by,
+      way.empty() ? "" : fmt::format(", {} poses of its motion", way.size()), poses, "property", "worst", "allowed");
   Checked c;
   c.mechanism = machine.info().name;
   c.asked_for_poses = poses > 0;
@@ -105,15 +104,15 @@ Checked print_properties(const Machine& machine, int poses, const std::vector<Ei
     if (v != Verdict::passed && v != Verdict::failed) continue;
     if (const double share = share_of_tolerance(p); share > c.share) c.closest = p.claim, c.share = share;
   }
-  fmt::print("\n");
+  put("\n");
   if (c.failed > 0) {
-    fmt::print("other choices and sizes: not examined before these hold\n");
+    put("other choices and sizes: not examined before these hold\n");
   } else {
     check_settings(other_choices(machine), "other choices", poses > 0, std::min(poses, poses_elsewhere), c);
     check_settings(other_numbers(machine, draws, 1), "other sizes", false, std::min(poses, poses_elsewhere), c);
   }
   print_remarks(machine);
-  fmt::print("{}\n", c.counts());
+  put("{}\n", c.counts());
   return c;
 }
 
@@ -128,9 +127,8 @@ std::string verdict_of(const Checked& c) {
 void print_table(const std::vector<Checked>& all) {
   std::size_t width = 9, verdicts = 10;
   for (const Checked& c : all) width = std::max(width, c.mechanism.size()), verdicts = std::max(verdicts, verdict_of(c).size());
-  fmt::print("\n{:<{}}  {:<{}}  {:>11}  {}\n", "mechanism", width, "properties", verdicts, "of allowed", "by");
-  for (const Checked& c : all)
-    fmt::print("{:<{}}  {:<{}}  {:>11.1e}  {}\n", c.mechanism, width, verdict_of(c), verdicts, c.share, c.closest);
+  put("\n{:<{}}  {:<{}}  {:>11}  {}\n", "mechanism", width, "properties", verdicts, "of allowed", "by");
+  for (const Checked& c : all) put("{:<{}}  {:<{}}  {:>11.1e}  {}\n", c.mechanism, width, verdict_of(c), verdicts, c.share, c.closest);
 }
 
 // What a scenario or --parameters sets. The poses of a motion, at most so many, spread evenly over it.
@@ -196,7 +194,7 @@ int check(const Options& options) {
   bool broken = false;
   for (const pm_mechanism* m : chosen) try {
       const Machine machine(*m, default_values(mechanics::describe(*m)));
-      if (!checked.empty()) fmt::print("\n");
+      if (!checked.empty()) put("\n");
       checked.push_back(print_properties(machine, options.poses));
     } catch (const mechanics::MechanismError& e) {
       if (chosen.size() == 1) throw;

@@ -1,6 +1,7 @@
 // `pmreport classify`: the class of parallel-cross mechanisms.
 #include <core/classification/classification.hpp>
 #include <reports/program/commands.hpp>
+#include <reports/program/terminal.hpp>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -106,7 +107,7 @@ std::string json() {
 }  // namespace
 
 int classify(const Options& options) {
-  fmt::print("{}", options.json ? json() : text());
+  put("{}", options.json ? json() : text());
   return all_well;
 }
 

@@ -21,6 +21,8 @@ std::string not_negative(const std::string& text) {
   return is_number && value >= 0 && std::isfinite(value) ? "" : "expected a number of 0 or above; seen " + in_quotes(text);
 }
 
+std::string a_name(const std::string& text) { return text.empty() ? "expected a name, seen nothing" : ""; }
+
 }  // namespace
 
 std::variant<Options, int> read_command_line(int argc, char** argv) {
@@ -30,15 +32,22 @@ std::variant<Options, int> read_command_line(int argc, char** argv) {
   std::string name, folder, shell;
   app.add_option("scenario", options.scenarios, "scenario to report on, a TOML file; of several each gets its report, with an index");
   app.add_option("-o,--out", options.out,
-                 "folder of the report (default: the scenario's name with -report, here), or of several (default: reports)");
+                 "folder of the report (default: the scenario's name with -report, here), or of several (default: reports)")
+      ->check(a_name);
   app.add_flag("--check", options.check_only, "validate the scenario only; write nothing");
-  app.add_flag("-q,--quiet", options.quiet, "print errors only");
-  app.add_option("--plugin-path", options.plugin_path, "folder with plugins, searched first; may be repeated")->allow_extra_args(false);
+  app.add_flag("-q,--quiet", options.quiet, "print errors only")->group(of_every_command);
+  app.add_option("--plugin-path", options.plugin_path, "folder with plugins, searched first; may be repeated")
+      ->allow_extra_args(false)
+      ->group(of_every_command);
   app.add_option("--threads", options.threads, "threads to use (default: all cores); the report does not depend on it")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::PositiveNumber)
+      ->group(of_every_command);
   app.add_flag("--resume", options.resume, "let long scans go on where an interrupted run of the same scenario stopped");
-  app.add_option("--timeout", options.timeout, "give up after so many seconds (default: never)")->check(CLI::PositiveNumber);
-  app.add_option("--baseline", options.baseline, "results that the report must agree with: results.json, or the folder of a report");
+  app.add_option("--timeout", options.timeout, "give up after so many seconds (default: never)")
+      ->check(CLI::PositiveNumber)
+      ->group(of_every_command);
+  app.add_option("--baseline", options.baseline, "results that the report must agree with: results.json, or the folder of a report")
+      ->check(a_name);
   app.add_option("--relative", options.relative, "tolerance of a comparison, of the larger value (default 1e-6)")->check(not_negative);
   app.add_option("--absolute", options.absolute, "tolerance of a comparison, SI (default 1e-12)")->check(not_negative);
 
@@ -58,7 +67,13 @@ std::variant<Options, int> read_command_line(int argc, char** argv) {
   new_mechanism_command->add_option("--folder", options.folder, "where its folder is made (default: here)");
   CLI::App* new_scenario_command = new_command->add_subcommand("scenario", "print a scenario of a mechanism that passes as it stands");
   new_scenario_command->add_option("mechanism", name, "by its name")->required()->type_name(mechanism_argument);
-  new_scenario_command->add_option("-o,--out", options.out, "new file to write it to (default: standard output)");
+  new_scenario_command->add_option("-o,--out", options.out, "new file to write it to (default: standard output)")->check(a_name);
+  CLI::App* import_command = app.add_subcommand("import", "print a scenario of the machine that a controller's settings describe");
+  import_command->add_option("files", options.names, "of LinuxCNC (.ini and .hal, both), Klipper (.cfg) or Marlin (.h)")
+      ->required()
+      ->expected(1, 16)
+      ->option_text("FILE ...");
+  import_command->add_option("-o,--out", options.out, "new file to write it to (default: standard output)")->check(a_name);
   CLI::App* classify_command = app.add_subcommand("classify", "list the class of parallel-cross mechanisms");
   classify_command->add_flag("--json", options.json, "for programs");
   CLI::App* limits_command = app.add_subcommand("limits", "print the safe box around home as settings of a controller");
@@ -74,18 +89,22 @@ std::variant<Options, int> read_command_line(int argc, char** argv) {
       ->required()
       ->expected(2, 26)
       ->option_text("A B ...");
-  compare_command->add_option("-o,--out", options.out, "folder for compare.html, a page with the curves as well");
+  compare_command->add_option("-o,--out", options.out, "folder for compare.html, a page with the curves as well")->check(a_name);
   compare_command->add_option("--relative", options.relative, "tolerance, of the larger value (default 1e-6)")->check(not_negative);
   compare_command->add_option("--absolute", options.absolute, "tolerance, SI (default 1e-12)")->check(not_negative);
   CLI::App* approve_command = app.add_subcommand("approve", "make the results of a report the baseline that later ones are held against");
   approve_command->add_option("report", folder, "folder of the report, or its results.json")->required();
   approve_command->add_option("baseline", name, "file of the baseline, new or an earlier one")->required();
+  approve_command->add_option("--relative", options.relative, "tolerance of what is told to have changed (default 1e-6)")
+      ->check(not_negative);
+  approve_command->add_option("--absolute", options.absolute, "the same, SI (default 1e-12)")->check(not_negative);
   approve_command->add_flag("--failed", options.failed_too, "also when the report did not pass");
   CLI::App* completion_command = app.add_subcommand("completion", "print a script that completes pmreport in a shell");
   completion_command->add_option("shell", shell, "bash, zsh or fish")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
   CLI::App* man_command = app.add_subcommand("man", "print the manual page: pmreport man | man -l -");
-  for (CLI::App* c : {completion_command, man_command, new_scenario_command, compare_command, approve_command, schema_command,
-                      limits_command, list_command, describe_command, check_command, new_command, new_mechanism_command, classify_command})
+  for (CLI::App* c :
+       {completion_command, man_command, new_scenario_command, import_command, compare_command, approve_command, schema_command,
+        limits_command, list_command, describe_command, check_command, new_command, new_mechanism_command, classify_command})
     c->fallthrough();
 
   try {
@@ -100,11 +119,17 @@ std::variant<Options, int> read_command_line(int argc, char** argv) {
   }
   if (*describe_command || *new_mechanism_command || *schema_command || *new_scenario_command) options.names = {name};
   if (*approve_command) options.names = {folder, name};
-  const std::pair<CLI::App*, Command> commands[] = {{compare_command, Command::compare},   {approve_command, Command::approve},
-                                                    {list_command, Command::list},         {describe_command, Command::describe},
-                                                    {check_command, Command::check},       {new_mechanism_command, Command::new_mechanism},
-                                                    {classify_command, Command::classify}, {limits_command, Command::limits},
-                                                    {schema_command, Command::schema},     {new_scenario_command, Command::new_scenario}};
+  const std::pair<CLI::App*, Command> commands[] = {{compare_command, Command::compare},
+                                                    {approve_command, Command::approve},
+                                                    {list_command, Command::list},
+                                                    {describe_command, Command::describe},
+                                                    {check_command, Command::check},
+                                                    {new_mechanism_command, Command::new_mechanism},
+                                                    {classify_command, Command::classify},
+                                                    {limits_command, Command::limits},
+                                                    {schema_command, Command::schema},
+                                                    {new_scenario_command, Command::new_scenario},
+                                                    {import_command, Command::import_settings}};
   for (const auto& [asked, command] : commands)
     if (*asked) options.command = command;
   if (options.command == Command::report && !options.scenarios.empty()) options.scenario = options.scenarios.front();

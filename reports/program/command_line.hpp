@@ -11,7 +11,21 @@ namespace pmreport::program {
 // Part of the interface, in README.md.
 enum ExitStatus { all_well = 0, gate_failed = 1, bad_scenario = 2, plugin_failed = 3, output_failed = 4, resource_limit = 5 };
 
-enum class Command { report, many, list, describe, check, new_mechanism, classify, limits, schema, new_scenario, compare, approve };
+enum class Command {
+  report,
+  many,
+  list,
+  describe,
+  check,
+  new_mechanism,
+  classify,
+  limits,
+  schema,
+  new_scenario,
+  import_settings,
+  compare,
+  approve
+};
 
 struct Options {
   Command command = Command::report;
@@ -32,7 +46,7 @@ struct Options {
   // describe, classify
   bool json = false;
   // describe, new mechanism, new scenario: one; schema: one, or none as an empty name; check: several, or all;
-  // compare: the reports; approve: the report and its baseline
+  // compare: the reports; approve: the report and its baseline; import: the files
   std::vector<std::string> names;
   bool check_all = false;
   int poses = 1000;

@@ -25,6 +25,7 @@ int approve(const Options& options);
 int many(const Options& options, bool (*stop)());  // not to be run in a worker: it runs one for each scenario
 int schema(const Options& options);
 int new_scenario(const Options& options);
+int import_settings(const Options& options);
 
 // Warns of plugins that were found and refused.
 void tell_refused(const host::Catalog& catalog);

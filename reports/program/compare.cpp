@@ -82,7 +82,7 @@ int compare(const Options& options, bool (*stop)()) {
   }
   const compare::Comparison comparison = compare::compare(reports, {options.relative, options.absolute});
   if (!options.out.empty()) write_page(options.out, compare::to_html(comparison, PMREPORT_VERSION));
-  if (!options.quiet) fmt::print("{}", compare::to_text(comparison));
+  if (!options.quiet) put("{}", compare::to_text(comparison));
   return comparison.agree ? all_well : gate_failed;
 }
 

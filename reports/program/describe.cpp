@@ -2,7 +2,9 @@
 #include <core/mechanics/machine/machine.hpp>
 #include <core/mechanics/model/effort.hpp>
 #include <core/text/units.hpp>
+#include <reports/program/cli/parameter_words.hpp>
 #include <reports/program/commands.hpp>
+#include <reports/program/terminal.hpp>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -15,27 +17,6 @@ using mechanics::word_of, mechanics::word_of_effort;
 
 namespace {
 
-// A number of SI unit `unit` as a scenario would write it.
-std::string quantity(double si, const std::string& display) {
-  const std::optional<Unit> unit = parse_unit(display);
-  const std::string number = format_number(unit ? si / unit->factor : si, 6);
-  return display.empty() ? number : number + " " + display;
-}
-std::string display_of(const std::string& si) { return si == "m" ? "mm" : si == "rad" ? "deg" : si; }
-
-std::string default_of(const ParameterInfo& p) {
-  if (p.kind == PM_CHOICE) return p.choices[static_cast<std::size_t>(p.defaults[0])];
-  std::string out;
-  for (const double x : p.defaults) out += (out.empty() ? "" : ", ") + quantity(x, p.display);
-  return p.kind == PM_NUMBERS ? "[" + out + "]" : out;
-}
-std::string range_of(const ParameterInfo& p) {
-  if (p.kind != PM_CHOICE) return fmt::format("{} to {}", quantity(p.min, p.display), quantity(p.max, p.display));
-  std::string out;
-  for (const std::string& c : p.choices) out += (out.empty() ? "" : " | ") + c;
-  return out;
-}
-
 // "force [N]" of a linear actuator, "torque [N*m]" of a rotary one.
 std::string effort_of(const Actuator& a) { return fmt::format("{} [{}]", word_of_effort(a.sense()), mechanics::unit_of_effort(a.sense())); }
 
@@ -43,7 +24,8 @@ std::string effort_of(const Actuator& a) { return fmt::format("{} [{}]", word_of
 std::string limits_of(const Joint& j, const Topology& t) {
   std::string out;
   const std::string unit = j.kind == JointKind::prismatic ? "mm" : "deg";
-  for (const Range& r : j.limits) out += fmt::format("{}{} to {}", out.empty() ? "" : ", ", quantity(r.min, unit), quantity(r.max, unit));
+  for (const Range& r : j.limits)
+    out += fmt::format("{}{} to {}", out.empty() ? "" : ", ", quantity_in_words(r.min, unit), quantity_in_words(r.max, unit));
   if (!j.from.isZero())
     out += fmt::format(" from ({}, {}, {}) of {}", format_number(j.from.x(), 4), format_number(j.from.y(), 4), format_number(j.from.z(), 4),
                        t.bodies[static_cast<std::size_t>(j.stud == j.a ? j.b : j.a)].name);
@@ -70,19 +52,20 @@ std::string text_of(const Machine& m) {
   const Topology& t = m.topology();
   std::string out = fmt::format("{}\n{}\nsource: {}\n\nindependent coordinates\n", m.info().name, m.info().title, m.info().source);
   for (const Coordinate& c : t.coordinates)
-    out += fmt::format("  {:<8} {:<24} home {:<12} box {} to {}\n", c.name, c.title, quantity(c.home, display_of(c.unit)),
-                       quantity(c.box.min, display_of(c.unit)), quantity(c.box.max, display_of(c.unit)));
+    out += fmt::format("  {:<8} {:<24} home {:<12} box {} to {}\n", c.name, c.title, quantity_in_words(c.home, display_unit_of(c.unit)),
+                       quantity_in_words(c.box.min, display_unit_of(c.unit)), quantity_in_words(c.box.max, display_unit_of(c.unit)));
   for (const Derived& d : t.derived)
     out += fmt::format("  {:<8} {:<24} {}\n", d.name, d.title, d.dependent ? "dependent: follows from the others" : "derived");
   out += "\nactuators\n";
   for (const Actuator& a : t.actuators)
-    out += fmt::format("  {:<8} {:<24} stroke {} to {}, gives a {}\n", a.name, a.title, quantity(a.stroke.min, display_of(a.unit)),
-                       quantity(a.stroke.max, display_of(a.unit)), effort_of(a));
+    out += fmt::format("  {:<8} {:<24} stroke {} to {}, gives a {}\n", a.name, a.title,
+                       quantity_in_words(a.stroke.min, display_unit_of(a.unit)), quantity_in_words(a.stroke.max, display_unit_of(a.unit)),
+                       effort_of(a));
   if (!t.constraints.empty()) out += "\nconstraints: wrenches that hold the platform, beside the actuators\n";
   for (const Constraint& c : t.constraints) out += fmt::format("  {:<12} {} [{}]\n", c.name, c.title, c.unit);
   out += "\nparameters\n";
   for (const ParameterInfo& p : m.info().parameters)
-    out += fmt::format("  {:<24} {}\n  {:<24} default {}, {}{}\n", p.name, p.title, "", default_of(p), range_of(p),
+    out += fmt::format("  {:<24} {}\n  {:<24} default {}, {}{}\n", p.name, p.title, "", default_in_words(p), range_in_words(p),
                        p.unless.empty() ? "" : "; not beside " + p.unless);
   out += "\njoints, and their limits from home\n";
   for (const Joint& j : t.joints)
@@ -164,7 +147,7 @@ int describe(const Options& options) {
   const host::Catalog catalog(host::search_folders(options.plugin_path));
   for (const pm_mechanism* m : mechanisms_named(catalog, options.names.front())) {
     const Machine machine(*m, default_values(mechanics::describe(*m)));
-    fmt::print("{}", options.json ? json_of(machine) : text_of(machine));
+    put("{}", options.json ? json_of(machine) : text_of(machine));
   }
   return all_well;
 }

@@ -40,10 +40,10 @@ std::vector<Side> sides_of(const Workspace& w, const mechanics::Machine& machine
 
 // Sections after the first have their names, so that all of them are one table.
 void print_toml(const Workspace& w, const std::vector<Side>& sides, const std::string& name) {
-  fmt::print("[safe_limits{}]  # every pose with all coordinates within these keeps all limits; proved\n", name.empty() ? "" : "." + name);
+  put("[safe_limits{}]  # every pose with all coordinates within these keeps all limits; proved\n", name.empty() ? "" : "." + name);
   for (std::size_t i = 0; i < sides.size(); ++i)
-    fmt::print("{} = [\"{:.3f} {}\", \"{:.3f} {}\"]  # {}; {}\n", sides[i].coordinate->name, sides[i].low, sides[i].unit, sides[i].high,
-               sides[i].unit, section::margin_words(w, w.safe_box->low_margin[i]), section::margin_words(w, w.safe_box->high_margin[i]));
+    put("{} = [\"{:.3f} {}\", \"{:.3f} {}\"]  # {}; {}\n", sides[i].coordinate->name, sides[i].low, sides[i].unit, sides[i].high,
+        sides[i].unit, section::margin_words(w, w.safe_box->low_margin[i]), section::margin_words(w, w.safe_box->high_margin[i]));
 }
 
 // Which letter of the controller a coordinate is: x, y and z are themselves, others what --axes says.
@@ -55,27 +55,26 @@ std::string letter_of(const Side& side, const std::map<std::string, std::string>
 
 // The soft limits of LinuxCNC are pins that may be set while it runs.
 void print_linuxcnc(const std::vector<Side>& sides, const std::map<std::string, std::string>& axes) {
-  fmt::print(
-      "# Soft limits of the axes, machine units mm and degrees: every pose with all of them within these is proved to keep all limits.\n");
+  put("# Soft limits of the axes, machine units mm and degrees: every pose with all of them within these is proved to keep all limits.\n");
   for (const Side& s : sides) {
     const std::string letter = letter_of(s, axes);
     if (letter.empty())
-      fmt::print("# {} from {:.3f} to {:.3f} {}: no axis is known for it; give --axes {}=c, or whichever it is\n", s.coordinate->name,
-                 s.low, s.high, s.unit, s.coordinate->name);
+      put("# {} from {:.3f} to {:.3f} {}: no axis is known for it; give --axes {}=c, or whichever it is\n", s.coordinate->name, s.low,
+          s.high, s.unit, s.coordinate->name);
     else
-      fmt::print("setp ini.{0}.min_limit {1:.3f}\nsetp ini.{0}.max_limit {2:.3f}\n", letter, s.low, s.high);
+      put("setp ini.{0}.min_limit {1:.3f}\nsetp ini.{0}.max_limit {2:.3f}\n", letter, s.low, s.high);
   }
 }
 
 void print_klipper(const std::vector<Side>& sides, const std::map<std::string, std::string>& axes) {
-  fmt::print("# Positions in mm: every pose with all of them within these is proved to keep all limits.\n");
+  put("# Positions in mm: every pose with all of them within these is proved to keep all limits.\n");
   for (const Side& s : sides) {
     const std::string letter = letter_of(s, axes);
     if (letter != "x" && letter != "y" && letter != "z")
-      fmt::print("# {} from {:.3f} to {:.3f} {}: Klipper has no axis for it, and it must be kept by other means\n", s.coordinate->name,
-                 s.low, s.high, s.unit);
+      put("# {} from {:.3f} to {:.3f} {}: Klipper has no axis for it, and it must be kept by other means\n", s.coordinate->name, s.low,
+          s.high, s.unit);
     else
-      fmt::print("[stepper_{}]\nposition_min: {:.3f}\nposition_max: {:.3f}\n", letter, s.low, s.high);
+      put("[stepper_{}]\nposition_min: {:.3f}\nposition_max: {:.3f}\n", letter, s.low, s.high);
   }
 }
 
@@ -152,11 +151,11 @@ int limits(const Options& options, bool (*stop)()) {
       status = gate_failed;
       continue;
     }
-    if (const std::string held = section::held_words(w, *loaded.machine); !held.empty()) fmt::print("# Held: {}.\n", held);
-    if (!own->name.empty() && options.format != "toml") fmt::print("# Section {}\n", own->name);
+    if (const std::string held = section::held_words(w, *loaded.machine); !held.empty()) put("# Held: {}.\n", held);
+    if (!own->name.empty() && options.format != "toml") put("# Section {}\n", own->name);
     if (w.tool)
-      fmt::print("# Of the tool point, in the platform's axes at ({:.3f}, {:.3f}, {:.3f}) mm.\n", 1e3 * w.tool->at()(0),
-                 1e3 * w.tool->at()(1), 1e3 * w.tool->at()(2));
+      put("# Of the tool point, in the platform's axes at ({:.3f}, {:.3f}, {:.3f}) mm.\n", 1e3 * w.tool->at()(0), 1e3 * w.tool->at()(1),
+          1e3 * w.tool->at()(2));
     if (options.format == "linuxcnc")
       print_linuxcnc(sides, *axes);
     else if (options.format == "klipper")

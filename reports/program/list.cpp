@@ -31,7 +31,7 @@ scenario::MechanismSource source_of(const host::Catalog& catalog) {
 int list(const Options& options) {
   const host::Catalog catalog(host::search_folders(options.plugin_path));
   tell_refused(catalog);
-  for (const host::Entry& e : catalog.entries()) fmt::print("{:<16} {}\n{:<16} {}\n", e.name, e.mechanism->title, "", e.file.string());
+  for (const host::Entry& e : catalog.entries()) put("{:<16} {}\n{:<16} {}\n", e.name, e.mechanism->title, "", e.file.string());
   if (catalog.entries().empty()) {
     tell("no mechanism found; searched:\n");
     for (const std::filesystem::path& f : catalog.folders()) tell("  {}\n", f.string());

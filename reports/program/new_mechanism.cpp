@@ -1,5 +1,6 @@
 #include <reports/program/commands.hpp>
 #include <reports/program/scaffold.hpp>
+#include <reports/program/terminal.hpp>
 
 #include <fmt/core.h>
 
@@ -12,8 +13,7 @@ int new_mechanism(const Options& options) {
   if (const host::Entry* e = catalog.find(name))
     throw ScaffoldError(fmt::format("there is a mechanism '{}' already, {}; choose another name", name, e->file.string()));
   const std::filesystem::path made = write_scaffold(name, options.folder);
-  fmt::print("{}: mechanism.cpp, CMakeLists.txt, scenario.toml; README.md tells the three commands that build, check and report\n",
-             made.string());
+  put("{}: mechanism.cpp, CMakeLists.txt, scenario.toml; README.md tells the three commands that build, check and report\n", made.string());
   return all_well;
 }
 

@@ -1,6 +1,7 @@
 #include <core/mechanics/conformance/plausibility.hpp>
 #include <core/text/text.hpp>
 #include <reports/program/remarks.hpp>
+#include <reports/program/terminal.hpp>
 
 #include <fmt/core.h>
 
@@ -8,9 +9,8 @@ namespace pmreport::program {
 
 void print_remarks(const mechanics::Machine& machine) {
   const std::vector<mechanics::Remark> remarks = plausibility(machine);
-  fmt::print("\n{}\n", remarks.empty() ? "data: nothing looks odd" : "data that look odd, and may be meant:");
-  for (const mechanics::Remark& r : remarks)
-    fmt::print("  {}\n    seen: {}\n    usually {}\n    {}\n", listed(r.of), r.seen, r.usual, r.reason);
+  put("\n{}\n", remarks.empty() ? "data: nothing looks odd" : "data that look odd, and may be meant:");
+  for (const mechanics::Remark& r : remarks) put("  {}\n    seen: {}\n    usually {}\n    {}\n", listed(r.of), r.seen, r.usual, r.reason);
 }
 
 }  // namespace pmreport::program

@@ -1,7 +1,9 @@
+#include <core/host/surroundings.hpp>
 #include <core/scenario/loaded.hpp>
 #include <core/text/text.hpp>
 #include <reports/compare/words.hpp>
 #include <reports/document/finding.hpp>
+#include <reports/document/folder/staged_folder.hpp>
 #include <reports/document/levels.hpp>
 #include <reports/document/tally.hpp>
 #include <reports/document/write.hpp>
@@ -25,22 +27,22 @@ namespace {
 void print_verdict(const document::Report& report, const std::string& folder) {
   using document::Verdict;
   for (const document::Check& c : report.checks)
-    if (!c.passed) fmt::print("FAILED  {}: {}\n", c.name, c.message);
+    if (!c.passed) put("FAILED  {}: {}\n", c.name, c.message);
   for (const document::Section& s : report.sections)
     for (const document::Block& b : s.blocks)
       if (const auto* p = std::get_if<document::Proof>(&b))
         for (const document::Evidence& e : p->lines)
           if (e.failed() && !told_by_a_check(report, e))
-            fmt::print("{}  {}: {}: {} ({})\n", e.verdict() == Verdict::error ? "ERROR " : "FAILED", s.title, e.claim, document::finding(e),
-                       e.how);
+            put("{}  {}: {}: {} ({})\n", e.verdict() == Verdict::error ? "ERROR " : "FAILED", s.title, e.claim, document::finding(e),
+                e.how);
   const document::Tally checks = tally_checks(report), evidence = tally_evidence(report);
   document::Tally all = checks;
   all += evidence;
   const std::string others =
       counted(all, {Verdict::failed, Verdict::error, Verdict::not_decided, Verdict::not_examined, Verdict::not_applicable});
-  fmt::print("{}: {} checks, {} lines of evidence{}; {}/report.html\n", report.passed() ? "passed" : "FAILED", checks.total(),
-             evidence.total(), others.empty() ? "" : ", " + others, folder);
-  if (report.every_instant) fmt::print("{}\n", report.every_instant->sentence);
+  put("{}: {} checks, {} lines of evidence{}; {}/report.html\n", report.passed() ? "passed" : "FAILED", checks.total(), evidence.total(),
+      others.empty() ? "" : ", " + others, folder);
+  if (report.every_instant) put("{}\n", report.every_instant->sentence);
 }
 
 document::Detail level_of(scenario::Detail detail) {
@@ -58,7 +60,7 @@ document::Detail level_of(scenario::Detail detail) {
 // GitHub shows what these lines say beside the lines of the scenario.
 void print_annotations(const document::Report& report, const std::string& scenario) {
   const char* github = std::getenv("GITHUB_ACTIONS");
-  if (github != nullptr && std::string_view(github) == "true") fmt::print("{}", document::to_annotations(report, scenario));
+  if (github != nullptr && std::string_view(github) == "true") put("{}", document::to_annotations(report, scenario));
 }
 
 // Whether a report agrees with the baseline; what does not is told a line each.
@@ -66,10 +68,9 @@ bool agrees(const document::Report& report, const std::string& folder, const com
   const std::vector<compare::Results> both{baseline, compare::results_of(report, folder)};
   const compare::Comparison comparison = compare::compare(both, {options.relative, options.absolute});
   if (options.quiet) return comparison.agree;
-  for (const std::string& line : compare::baseline_lines(comparison)) fmt::print("FAILED  baseline: {}\n", line);
-  fmt::print("baseline {}: {}\n", printable(options.baseline), compare::verdict(comparison));
-  if (!comparison.agree)
-    fmt::print("What is meant to be so becomes the baseline by: pmreport approve {} BASELINE_FILE\n", printable(folder));
+  for (const std::string& line : compare::baseline_lines(comparison)) put("FAILED  baseline: {}\n", line);
+  put("baseline {}: {}\n", printable(options.baseline), compare::verdict(comparison));
+  if (!comparison.agree) put("What is meant to be so becomes the baseline by: pmreport approve {} BASELINE_FILE\n", printable(folder));
   return comparison.agree;
 }
 
@@ -84,15 +85,21 @@ int report(const Options& options, bool (*stop)()) {
       options.baseline.empty() ? std::nullopt : std::optional(compare::read_report(options.baseline));
   const host::Catalog catalog(host::search_folders(options.plugin_path));
   tell_refused(catalog);
+  const host::Surroundings before;
+  const auto put_back = [&] {
+    for (const std::string& what : before.restore())
+      tell("warning: the mechanism's plugin has changed {}, which belongs to the whole program; it is as before again\n", what);
+  };
   const scenario::Loaded loaded = scenario::load(options.scenario, source_of(catalog), section::kinds());
+  put_back();
   if (options.check_only) {
     if (!options.quiet)
-      fmt::print("{}: valid, {}, {} sections\n", options.scenario,
-                 loaded.scenario.motion ? fmt::format("{} samples", loaded.trajectory.samples()) : "no motion",
-                 loaded.scenario.sections.size());
+      put("{}: valid, {}, {} sections\n", options.scenario,
+          loaded.scenario.motion ? fmt::format("{} samples", loaded.trajectory.samples()) : "no motion", loaded.scenario.sections.size());
     return all_well;
   }
   const std::string folder = options.out.empty() ? std::filesystem::path(options.scenario).stem().string() + "-report" : options.out;
+  document::StagedFolder staged(folder);  // a folder that cannot be written is told before minutes are spent on what goes there
   Terminal terminal(options.quiet);
   const section::Progress progress{[&](const std::string& what) { terminal.say(what); },
                                    [&] {
@@ -102,8 +109,9 @@ int report(const Options& options, bool (*stop)()) {
   const document::Report report =
       document::arranged(section::make_report(loaded, PMREPORT_VERSION, catalog.find(loaded.scenario.mechanism)->build, progress),
                          level_of(loaded.scenario.detail));
+  put_back();
   terminal.say("writing " + folder);
-  document::write(report, folder, stop);
+  document::write(report, staged, stop);
   std::error_code none_there;
   std::filesystem::remove_all(checkpoints_of(folder), none_there);
   terminal.clear();

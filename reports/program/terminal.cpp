@@ -1,10 +1,26 @@
 #include <reports/program/terminal.hpp>
 
+#include <fcntl.h>
 #include <unistd.h>
 #include <cstdlib>
 #include <string_view>
 
 namespace pmreport::program {
+
+namespace {
+
+std::FILE* apart = nullptr;
+
+}  // namespace
+
+std::FILE* results() { return apart != nullptr ? apart : stdout; }
+
+void keep_results_apart() {
+  const int copy = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  if (copy < 0) return;
+  apart = fdopen(copy, "w");
+  if (apart != nullptr) dup2(STDERR_FILENO, STDOUT_FILENO);
+}
 
 Terminal::Terminal(bool quiet) {
   const char* term = std::getenv("TERM");

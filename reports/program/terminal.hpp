@@ -1,4 +1,4 @@
-// Words for whoever started the program, on standard error.
+// Words for whoever started the program: results on standard output, all else on standard error.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,6 +12,14 @@ namespace pmreport::program {
 template <class... T>
 void tell(fmt::format_string<T...> format, T&&... values) {
   std::fputs(fmt::format(format, std::forward<T>(values)...).c_str(), stderr);
+}
+
+// Where results go: standard output. Once they are kept apart, whatever else writes there, as a plugin may, writes to standard error.
+std::FILE* results();
+void keep_results_apart();
+template <class... T>
+void put(fmt::format_string<T...> format, T&&... values) {
+  fmt::print(results(), format, std::forward<T>(values)...);
 }
 
 // One line on a terminal, overwritten; nothing in a pipe or a log.

@@ -77,7 +77,11 @@ TEST_CASE("forces and reactions are linear in load and gravity, and quadratic in
     still.rate.setZero(), still.acceleration.setZero();
     constexpr double faster = 1.7;  // the same path in less time: rates times 1.7, accelerations times its square
     fast.rate *= faster, fast.acceleration *= faster * faster;
-    const Vector6d load = test::random_load(solver.length(), random), other = test::random_load(solver.length(), random);
+    // Of the size of the machine's weight, so that of a light one the forces of its motion are not lost beside those of the load.
+    double weight = 0;  // [N]
+    for (const Body& b : machine.topology().bodies) weight += 9.81 * b.inertia.mass;
+    const double scale = weight / 100;
+    const Vector6d load = scale * test::random_load(solver.length(), random), other = scale * test::random_load(solver.length(), random);
     const Vector3d gravity = test::random_gravity(random), none = Vector3d::Zero();
     const State s = motion.state(machine), rest = still.state(machine);
 

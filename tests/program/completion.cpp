@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
 #include <regex>
 #include <set>
 #include <string>
@@ -106,6 +107,31 @@ TEST_CASE("bash is offered commands, options, values and the mechanisms that are
   CHECK_THAT(offered(here, "pmreport limits mine.toml --format l"), Contains("linuxcnc\n"));
   CHECK_THAT(offered(here, "pmreport completion z"), Contains("zsh\n"));
   CHECK_THAT(offered(here, "pmreport --plugin-path mi"), Contains("mine.toml\n"));
+}
+
+TEST_CASE("behind a command stand its own options and those of every command, not those of reports") {
+  const Workshop here;
+  CHECK_THAT(offered(here, "pmreport --"), Contains("--baseline\n") && Contains("--resume\n") && Contains("--threads\n"));
+  for (const char* command : {"describe", "check", "list", "classify", "schema", "import"}) {
+    CAPTURE(command);
+    CHECK_THAT(offered(here, std::string("pmreport ") + command + " --"),
+               Contains("--threads\n") && Contains("--plugin-path\n") && !Contains("--baseline") && !Contains("--resume"));
+  }
+  CHECK_THAT(offered(here, "pmreport approve --"), Contains("--relative\n") && Contains("--failed\n") && !Contains("--out"));
+  const std::string fish = pmreport({"completion", "fish"}).out;
+  CHECK_THAT(fish, Contains("complete -c pmreport -n '__pmreport_at \\'\\'' -l baseline") && Contains("complete -c pmreport -l threads"));
+}
+
+TEST_CASE("an output without a name is refused, not taken for one by default") {
+  const Workshop here;
+  here.write("mine.toml", small);
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"mine.toml", "-o", ""}, {"new", "scenario", "gough", "--out", ""}, {"mine.toml", "--baseline", ""}}) {
+    const Result result = pmreport(words, {.folder = here.path()});
+    CHECK(result.status == 2);
+    CHECK_THAT(result.err, Contains("expected a name, seen nothing"));
+  }
+  CHECK_FALSE(std::filesystem::exists(here / "mine-report"));
 }
 
 TEST_CASE("a shell that is none is told those that are") {

@@ -1,8 +1,10 @@
 #include <tests/program/workshop.hpp>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -82,4 +84,53 @@ TEST_CASE("a new scenario of what is no mechanism tells what is") {
   const Result file = pmreport({"new", "scenario", PLUGINS "/delta.so"});
   CHECK(file.status == 2);
   CHECK_THAT(file.err, Contains("expected the name of a mechanism") && Contains("--plugin-path"));
+}
+
+TEST_CASE("defaults that a new scenario tells read back as the numbers that they are, and the results say where they come from") {
+  for (const char* name : {"gough", "4sps-spr"}) {
+    // Every parameter as a line of its own, but for those that another stands in the place of.
+    std::string text;
+    std::istringstream printed(pmreport({"new", "scenario", name}).out);
+    static const std::regex told("# [a-z_0-9]+ = .*");
+    for (std::string line; std::getline(printed, line);)
+      text += (std::regex_match(line, told) && line.find("not beside") == std::string::npos ? line.substr(2) : line) + "\n";
+    const Workshop here;
+    const Result run = here.report(text);
+    CAPTURE(name, text, run.err);
+    REQUIRE(run.status == 0);
+    const auto results = nlohmann::json::parse(bytes_of(here.report_folder() / "results.json"));
+    const auto described = nlohmann::json::parse(pmreport({"describe", name, "--json"}).out);
+    std::size_t held = 0;
+    for (const auto& p : described["parameters"])
+      for (const auto& input : results["inputs"]) {
+        if (input["name"] != "mechanism.parameters." + p["name"].get<std::string>()) continue;
+        ++held;
+        CAPTURE(input.dump(), p.dump());
+        CHECK((input["source"] == "scenario") == !p.contains("unless"));
+        CHECK(input["line"].is_null() == p.contains("unless"));
+        if (p["default"].is_number())
+          CHECK(input["value"].get<double>() == Approx(p["default"].get<double>()).epsilon(1e-15).margin(0));
+        else if (p["default"].is_string())
+          CHECK(input["value"] == p["default"]);
+        else
+          CHECK(input["value"].size() == p["default"].size());
+      }
+    CHECK(held == described["parameters"].size());
+  }
+}
+
+TEST_CASE("what a scenario leaves to the mechanism is told to be its default, and its motion and load stand with their lines") {
+  const Workshop here;
+  REQUIRE(here.report(small).status == 0);
+  const auto results = nlohmann::json::parse(bytes_of(here.report_folder() / "results.json"));
+  const auto input = [&](const std::string& name) {
+    for (const auto& i : results["inputs"])
+      if (i["name"] == name) return i;
+    return nlohmann::json();
+  };
+  CHECK(input("mechanism.parameters.base_radius")["source"] == "default of the plugin");
+  CHECK(input("mechanism.parameters.base_radius")["line"].is_null());
+  CHECK(input("motion.x") ==
+        nlohmann::json{{"name", "motion.x"}, {"value", "20 mm * sin(2*pi*t/2 s)"}, {"unit", ""}, {"source", "scenario"}, {"line", 9}});
+  CHECK(input("load.force")["value"] == "[0 N, 10 N, -10 N]");
 }

@@ -64,6 +64,99 @@ TEST_CASE("a plugin that hangs can be interrupted") {
   CHECK(r.err.find("interrupted in the midst of a step that did not end") != std::string::npos);
 }
 
+TEST_CASE("a crash and an exit name the file of the plugin") {
+  for (const char* plugin : {"crashing", "aborting", "exiting"}) {
+    const Evil evil(plugin);
+    CHECK(evil.report().err.find("plugins/" + std::string(plugin) + ".so") != std::string::npos);
+  }
+}
+
+TEST_CASE("a library that crashes while it is loaded is left out, and the others work") {
+  const Evil evil("crashing_load");
+  fs::copy_file(fs::path(FIXTURES) / "plain.so", evil.workshop / "plugins" / "plain.so");
+  const Result r = evil.report();
+  CHECK(r.status == 0);
+  CHECK(r.err.find("crashing_load.so: expected a library that can be loaded, seen a crash as it was: Segmentation fault") !=
+        std::string::npos);
+  CHECK(fs::exists(evil.workshop.report_folder() / "report.html"));
+}
+
+TEST_CASE("a library that changes how numbers are rounded as it is loaded is refused") {
+  const Result r = Evil("meddling_load").report();
+  CHECK(r.status == 2);
+  CHECK(r.err.find("meddling_load.so: expected a library that leaves the program as it is") != std::string::npos);
+}
+
+TEST_CASE("a plugin that changes how numbers are rounded fails") {
+  const Result r = Evil("rounding").report();
+  CHECK(r.status == 3);
+  CHECK(r.err.find("changed how numbers are rounded") != std::string::npos);
+}
+
+TEST_CASE("locale and working folder that a plugin changes are put back, and told") {
+  const Evil evil("meddling");
+  const Result r = evil.report();
+  CHECK(r.status == 0);
+  CHECK(r.err.find("has changed the locale") != std::string::npos);
+  CHECK(r.err.find("has changed the working folder") != std::string::npos);
+  CHECK(fs::exists(evil.workshop.report_folder() / "report.html"));
+}
+
+TEST_CASE("what a plugin leaves running, or does as the program ends, costs no finished report") {
+  for (const char* plugin : {"forking", "crashing_end", "hanging_end"}) {
+    CAPTURE(plugin);
+    const Evil evil(plugin);
+    const Result r = evil.report();
+    CHECK(r.status == 0);
+    CHECK(fs::exists(evil.workshop.report_folder() / "report.html"));
+  }
+}
+
+namespace {
+
+// Names beside the report that begin with a point: what a run had begun.
+std::vector<std::string> left_behind(const Workshop& here) {
+  std::vector<std::string> out;
+  for (const auto& entry : fs::directory_iterator(here.path()))
+    if (entry.path().filename().string().starts_with('.')) out.push_back(entry.path().filename().string());
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a run that is killed, hung up or out of time leaves nothing beside the report") {
+  for (const int signal : {SIGKILL, SIGHUP, SIGQUIT, SIGTERM}) {
+    CAPTURE(signal);
+    const Workshop here;
+    here.write("scenario.toml", program_test::with(program_test::small, {{"samples = 21", "samples = 200001"}}));
+    program_test::Process process({PROGRAM, "scenario.toml"}, {.folder = here.path()});
+    // The worker has begun its folder.
+    for (int k = 0; k < 500 && left_behind(here).size() < 2; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    REQUIRE(left_behind(here).size() == 2);
+    process.send(signal);
+    const Result r = process.finish();
+    CHECK(r.status == (signal == SIGKILL ? -SIGKILL : 128 + signal));
+    for (int k = 0; k < 1000 && !left_behind(here).empty(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    CHECK(left_behind(here).empty());
+    CHECK_FALSE(fs::exists(here.report_folder()));
+  }
+  const Workshop here;
+  const std::string longer = program_test::with(program_test::small, {{"samples = 21", "samples = 200001"}});
+  CHECK(here.report(longer, {"--timeout", "1"}).status == 5);
+  CHECK(left_behind(here).empty());
+}
+
+// A worker without a parent ends by itself, also where it hangs in a plugin.
+TEST_CASE("an orphan that hangs ends") {
+  const Evil evil("hanging");
+  evil.workshop.write("scenario.toml", slider);
+  program_test::Process process({PROGRAM, "scenario.toml", "--plugin-path", (evil.workshop / "plugins").string()},
+                                {.folder = evil.workshop.path()});
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  process.send(SIGKILL);
+  CHECK(process.finish().status == -SIGKILL);  // which waits until nobody holds its streams any more
+}
+
 TEST_CASE("an earlier report survives a plugin that crashes") {
   const Evil evil("crashing");
   const Result sound = evil.workshop.report(program_test::small);

@@ -46,12 +46,14 @@ std::vector<std::string> choices_of(const SpokenCommand& c) {
   return out;
 }
 
-// The options that may stand behind a command: its own, and those of the program itself.
+// The options that stand behind a command: its own, and those of every command.
 std::vector<const SpokenOption*> options_of(const SpokenCommand& command, const SpokenCommand& program) {
   std::vector<const SpokenOption*> out;
   for (const SpokenCommand* c : {&command, &program})
     for (const SpokenOption& o : c->options)
-      if (std::ranges::none_of(out, [&](const SpokenOption* other) { return other->names.back() == o.names.back(); })) out.push_back(&o);
+      if ((c == &command || o.everywhere) &&
+          std::ranges::none_of(out, [&](const SpokenOption* other) { return other->names.back() == o.names.back(); }))
+        out.push_back(&o);
   return out;
 }
 
@@ -158,7 +160,7 @@ std::string zsh(const SpokenCommand& program) {
 std::string fish_options(const SpokenCommand& c, const std::string& condition) {
   std::string out;
   for (const SpokenOption& o : c.options) {
-    std::string line = "complete -c pmreport" + condition;
+    std::string line = "complete -c pmreport" + (o.everywhere ? "" : condition);
     for (const std::string& name : o.names)
       line += name.starts_with("--") ? fmt::format(" -l {}", name.substr(2)) : fmt::format(" -s {}", name.substr(1));
     if (!o.choices.empty())
@@ -193,13 +195,12 @@ std::string fish(const SpokenCommand& program) {
       "function __pmreport_mechanisms\n"
       "  pmreport list 2>/dev/null | string replace -rf '^(\\S+) +(.*)$' '$1\\t$2'\n"
       "end\n"
-      "complete -c pmreport -f\n" +
-      fish_options(program, "");
+      "complete -c pmreport -f\n";
   for (const SpokenCommand* c : all_of(program)) {
     const std::string condition = " -n " + fish_quoted(fmt::format("__pmreport_at '{}'", name_of(*c)));
     for (const SpokenCommand& below : c->commands)
       out += fmt::format("complete -c pmreport{} -a {} -d {}\n", condition, below.words.back(), fish_quoted(below.description));
-    if (!c->words.empty()) out += fish_options(*c, condition);
+    out += fish_options(*c, condition);
     if (const std::vector<std::string> choices = choices_of(*c); !choices.empty())
       out += fmt::format("complete -c pmreport{} -a {}\n", condition, fish_quoted(fmt::format("{}", fmt::join(choices, " "))));
     if (wants_mechanism(*c)) out += fmt::format("complete -c pmreport{} -a '(__pmreport_mechanisms)'\n", condition);

@@ -1,6 +1,7 @@
 #include <reports/program/cli/index_of_reports.hpp>
 
 #include <core/text/text.hpp>
+#include <reports/document/html/frame.hpp>
 #include <reports/document/html/html_writer.hpp>
 #include <reports/document/text.hpp>
 
@@ -143,26 +144,16 @@ std::string index_html(const std::vector<Outcome>& outcomes) {
   std::vector<Outcome> ordered = outcomes;
   std::ranges::stable_partition(ordered, [](const Outcome& o) { return o.status != 0; });
   HtmlWriter html;
-  html.markup("<!DOCTYPE html>\n");
-  html.element("html", {{"lang", "en"}}, [&] {
-    html.element("head", [&] {
-      html.open("meta", {{"charset", "utf-8"}});
-      html.open("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
-      html.open("meta", {{"name", "generator"}, {"content", generator}});
-      html.element("title", "Reports: " + tally_of(outcomes));
-      html.element("style", [&] { html.markup(style); });
-    });
-    html.element("body", [&] {
-      html.element("main", [&] {
-        html.element("h1", "Reports");
-        html.element("p", tally_of(outcomes));
-        std::vector<std::string> wrong;
-        for (const Outcome& o : ordered)
-          if (o.status != 0) wrong.push_back(o.made() ? o.title : o.scenario);
-        if (!wrong.empty()) html.element("p", "Not passed: " + fmt::format("{}", fmt::join(wrong, "; ")));
-        html.element("ul", [&] {
-          for (const Outcome& o : ordered) write_card(html, o);
-        });
+  write_frame(html, "Reports: " + tally_of(outcomes), generator, {style}, [&] {
+    html.element("main", [&] {
+      html.element("h1", "Reports");
+      html.element("p", tally_of(outcomes));
+      std::vector<std::string> wrong;
+      for (const Outcome& o : ordered)
+        if (o.status != 0) wrong.push_back(o.made() ? o.title : o.scenario);
+      if (!wrong.empty()) html.element("p", "Not passed: " + fmt::format("{}", fmt::join(wrong, "; ")));
+      html.element("ul", [&] {
+        for (const Outcome& o : ordered) write_card(html, o);
       });
     });
   });

@@ -66,7 +66,9 @@ const std::pair<int, const char*> statuses[] = {
     {output_failed,
      "the report, the page of a comparison, a baseline or standard output could not be written; an earlier report is untouched"},
     {resource_limit, "the time of --timeout is over, memory or another resource does not suffice, or a scan is too large to be done"},
+    {129, "interrupted by SIGHUP; an earlier report is untouched"},
     {130, "interrupted by SIGINT; an earlier report is untouched"},
+    {131, "interrupted by SIGQUIT; an earlier report is untouched"},
     {143, "interrupted by SIGTERM; an earlier report is untouched"}};
 
 constexpr std::pair<const char*, const char*> environment[] = {

@@ -148,7 +148,7 @@ int many(const Options& options, bool (*stop)()) {
   if (options.check_only) return worst;
   compare::replace_file(folder / "index.json", index_json(outcomes));
   compare::replace_file(folder / "index.html", index_html(outcomes));
-  if (!options.quiet) fmt::print("{}; {}\n", tally_of(outcomes), (folder / "index.html").string());
+  if (!options.quiet) put("{}; {}\n", tally_of(outcomes), (folder / "index.html").string());
   return worst;
 }
 

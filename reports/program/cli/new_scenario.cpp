@@ -1,22 +1,15 @@
 // pmreport new scenario MECHANISM: a scenario that passes as it stands, for its reader to change.
 #include <core/mechanics/machine/machine.hpp>
-#include <core/mechanics/model/effort.hpp>
-#include <core/scenario/diagnostic.hpp>
 #include <core/text/text.hpp>
-#include <core/text/units.hpp>
-#include <reports/document/folder/file.hpp>
+#include <reports/program/cli/draft.hpp>
 #include <reports/program/cli/parameter_words.hpp>
 #include <reports/program/commands.hpp>
 #include <reports/program/scaffold.hpp>
 #include <reports/program/terminal.hpp>
-#include <reports/section/kinds.hpp>
-#include <reports/section/make_report.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <optional>
 
 namespace pmreport::program {
@@ -24,38 +17,6 @@ namespace pmreport::program {
 using mechanics::Machine, mechanics::ParameterInfo;
 
 namespace {
-
-constexpr double largest_share = 0.5, smallest_share = 0.004;  // of the way from home to the end of a coordinate's box
-constexpr const char* period = "4 s";
-
-// The largest number of one digit 1, 2 or 5 that is not above x; 0: x is nothing.
-double round_below(double x) {
-  if (!(x > 0)) return 0;
-  const double ten = std::pow(10, std::floor(std::log10(x)));
-  for (const double digit : {5.0, 2.0})
-    if (digit * ten <= x * (1 + 1e-12)) return digit * ten;
-  return ten;
-}
-
-// Of the coordinates in turn: to and fro, out and back, to and fro twice; so that what they make together is no line.
-constexpr const char* ways[] = {"sin(2*pi*t/{0})", "(1 - cos(2*pi*t/{0})) / 2", "sin(4*pi*t/{0})"};
-
-std::string motion_of(const Coordinate& c, std::size_t number, double share) {
-  const std::string unit = display_unit_of(c.unit);
-  const double factor = parse_unit(unit).value_or(Unit{}).factor;
-  const double up = c.box.max - c.home, down = c.home - c.box.min;
-  // Where home lies at an end of the box there is one side to go to, and out and back goes there alone.
-  const bool one_sided = std::min(up, down) < 0.1 * std::max(up, down);
-  const double room = one_sided ? std::max(up, down) : std::min(up, down);
-  const double amplitude = round_below(share * room / factor);
-  const bool at_zero = std::abs(c.home) <= 1e-9 * std::max(up, down);  // but for rounding
-  const std::string home = at_zero ? "" : quantity_in(c.home, unit);
-  if (amplitude == 0) return fmt::format("{} = \"{}\"", c.name, home.empty() ? "0 " + unit : home);
-  const std::string way = fmt::format(fmt::runtime(ways[one_sided ? 1 : number % std::size(ways)]), period);
-  const char* sign = one_sided && down > up ? "-" : home.empty() ? "" : "+";
-  return fmt::format("{} = \"{}{}{}{} * {}\"", c.name, home.empty() ? "" : home + " ", sign, home.empty() ? "" : " ",
-                     fmt::format("{} {}", format_number(amplitude, 6), unit), way);
-}
 
 std::string parameters_of(const Machine& machine) {
   std::size_t width = 0;
@@ -73,77 +34,12 @@ std::string parameters_of(const Machine& machine) {
   return out;
 }
 
-struct Draft {
-  const Machine& machine;
-  double share = largest_share;  // how far the motion goes
-  std::string bound = {};        // of the check
-  bool pictures = true;
-};
-
-std::string section_of(const char* kind, const char* more = "") { return fmt::format("\n[[section]]\nkind = \"{}\"\n{}", kind, more); }
-
-bool has_mass(const Topology& t) {
-  return std::ranges::any_of(t.bodies, [](const Body& b) { return b.inertia.mass > 0; });
-}
-
-// Forces of linear and rotary actuators have no common bound: the check is then on those like the first.
-std::string checked(const Topology& t) {
-  const bool alike = std::ranges::all_of(t.actuators, [&](const Actuator& a) { return a.sense() == t.actuators.front().sense(); });
-  return alike ? "max(abs(actuator_force))" : fmt::format("max(abs({}_force))", t.actuators.front().name);
-}
-
-std::string text_of(const Draft& d) {
-  const Topology& t = d.machine.topology();
-  std::string out = fmt::format("title = {}\n\n[mechanism]\nuse = {}\n",
-                                toml_string(d.machine.info().name + ": a gentle motion about home"), toml_string(d.machine.info().name));
-  if (!d.machine.info().parameters.empty())
-    out += "\n[mechanism.parameters]\n# Each with what counts where it is left out.\n" + parameters_of(d.machine);
-  out += fmt::format("\n[motion]\nduration = \"{}\"\nsamples = 161\n", period);
-  for (std::size_t i = 0; i < t.coordinates.size(); ++i) out += motion_of(t.coordinates[i], i, d.share) + "\n";
-  out +=
-      "\n[load]  # on the platform at its reference point, in base axes\n"
-      "force = [\"0 N\", \"0 N\", \"-50 N\"]\nmoment = [\"0 N*m\", \"0 N*m\", \"0 N*m\"]\n";
-  if (has_mass(t)) out += "gravity = [\"0 m/s^2\", \"0 m/s^2\", \"-9.81 m/s^2\"]\n";
-  out += section_of("mechanism");
-  if (d.pictures) out += section_of("snapshots", "times = [\"0 s\", \"1 s\"]\n");
-  for (const char* kind : {"displacement", "velocity", "acceleration", "statics"}) out += section_of(kind);
-  if (has_mass(t)) out += section_of("dynamics");
-  if (!t.elements.empty()) out += section_of("stiffness");
-  out += section_of("mobility");
-  const std::string effort = mechanics::unit_of_effort(t.actuators.front().sense());
-  const std::string comment = d.bound.empty() ? "" : "  # twice what this motion asks for; put what yours can bear";
-  return out +
-         fmt::format("\n[[check]]\nthat = \"{}\"\nbelow = \"{}\"{}\n", checked(t), d.bound.empty() ? "1e12 " + effort : d.bound, comment);
-}
-
-// The smallest number of one digit 1, 2 or 5 that is not below x, which is above 0.
-double round_above(double x) {
-  const double below = round_below(x);
-  if (below >= x) return below;
-  return std::round(below / std::pow(10, std::floor(std::log10(below)))) == 2 ? 2.5 * below : 2 * below;
-}
-
-// The report of a draft, made without pictures and not written; nothing, with the reason in `why`, where it does not pass.
-std::optional<document::Report> passed(const Draft& draft, const host::Catalog& catalog, std::string& why) {
-  const std::string& name = draft.machine.info().name;
-  const scenario::MechanismSource source = source_of(catalog);
-  try {
-    const scenario::Loaded loaded = scenario::load_text(text_of(draft), name + ".toml", source, section::kinds());
-    document::Report report = section::make_report(loaded, PMREPORT_VERSION, catalog.find(name)->build, {});
-    if (report.passed()) return report;
-    const auto failed = std::ranges::find(report.checks, false, &document::Check::passed);
-    why = failed != report.checks.end() ? failed->name + ": " + failed->message : "a line of its evidence fails";
-  } catch (const scenario::ScenarioError& e) {
-    why = e.what();
-  }
-  return std::nullopt;
-}
-
-std::string bound_of(const document::Report& report, const Machine& machine) {
-  const auto check = std::ranges::find_if(report.checks, [](const document::Check& c) { return c.line > 0; });
-  const double most = check != report.checks.end() ? check->value : 0;
-  return fmt::format("{} {}", format_number(most > 0 ? round_above(2 * most) : 1, 6),
-                     mechanics::unit_of_effort(machine.topology().actuators.front().sense()));
+std::vector<std::string> kinds_for(const Topology& t) {
+  std::vector<std::string> out{"mechanism", "snapshots", "displacement", "velocity", "acceleration", "statics"};
+  if (has_mass(t)) out.emplace_back("dynamics");
+  if (!t.elements.empty()) out.emplace_back("stiffness");
+  out.emplace_back("mobility");
+  return out;
 }
 
 }  // namespace
@@ -152,32 +48,23 @@ int new_scenario(const Options& options) {
   const host::Catalog catalog(host::search_folders(options.plugin_path));
   tell_refused(catalog);
   const std::string& name = options.names.front();
-  std::error_code error;
-  if (!options.out.empty() && std::filesystem::exists(std::filesystem::symlink_status(options.out, error)))
-    throw ScaffoldError(fmt::format("{} is there already; choose another name with --out", options.out));
+  refuse_existing(options.out);
   // A scenario names its mechanism, so a library file by its path does not do.
   if (catalog.find(name) == nullptr && (name.find('/') != std::string::npos || name.ends_with(".so")))
     throw ScaffoldError(fmt::format("expected the name of a mechanism, seen {}; give its folder by --plugin-path", in_quotes(name)));
   const pm_mechanism& mechanism = *mechanisms_named(catalog, name).front();
   const Machine machine(mechanism, mechanics::default_values(mechanics::describe(mechanism)));
 
+  Draft draft{machine};
+  draft.title = machine.info().name + ": a gentle motion about home";
+  if (!machine.info().parameters.empty()) draft.parameters = "# Each with what counts where it is left out.\n" + parameters_of(machine);
+  draft.kinds = kinds_for(machine.topology());
   Terminal terminal(options.quiet);
   std::string why;
-  for (Draft draft{machine}; draft.share > smallest_share; draft.share /= 2) {
-    terminal.say(fmt::format("trying a motion over {} % of the box", format_number(100 * draft.share, 2)));
-    draft.pictures = false;
-    const std::optional<document::Report> report = passed(draft, catalog, why);
-    if (!report) continue;
-    draft.bound = bound_of(*report, machine);
-    draft.pictures = true;
-    terminal.clear();
-    if (options.out.empty())
-      fmt::print("{}", text_of(draft));
-    else
-      document::write_new_file(options.out, text_of(draft));
+  if (const std::optional<std::string> text = passing(draft, catalog, terminal, why)) {
+    hand_out(*text, options.out);
     return all_well;
   }
-  terminal.clear();
   tell("error: no motion about home of {} passes, however small: {}\n       `pmreport check {}` tells more\n", name, why, name);
   return gate_failed;
 }

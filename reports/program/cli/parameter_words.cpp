@@ -5,14 +5,49 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cmath>
+#include <limits>
+
 namespace pmreport::program {
 
 using mechanics::ParameterInfo;
 
+namespace {
+
+std::string with_unit(const std::string& number, const std::string& display) { return display.empty() ? number : number + " " + display; }
+
+double factor_of(const std::string& display) { return parse_unit(display).value_or(Unit{"", 1, {}}).factor; }
+
+double read(const std::string& number) {
+  double out = 0;
+  std::from_chars(number.data(), number.data() + number.size(), out);
+  return out;
+}
+
+template <class One>
+std::string default_of(const ParameterInfo& p, One one) {
+  std::string out;
+  for (const double x : p.defaults) out += (out.empty() ? "" : ", ") + one(x);
+  return p.kind == PM_NUMBERS ? "[" + out + "]" : out;
+}
+const std::string& default_choice(const ParameterInfo& p) { return p.choices[static_cast<std::size_t>(p.defaults[0])]; }
+
+}  // namespace
+
 std::string quantity_in(double si, const std::string& display) {
-  const std::optional<Unit> unit = parse_unit(display);
-  const std::string number = format_number(unit ? si / unit->factor : si, 6);
-  return display.empty() ? number : number + " " + display;
+  const double factor = factor_of(display), value = si / factor;
+  // 205 * 0.001 is not 0.205: what the factor's rounding leaves is no reason for seventeen digits.
+  constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
+  for (int digits = 6; digits < 17; ++digits) {
+    const std::string number = format_number(value, digits);
+    if (std::abs(read(number) * factor - si) <= rounding * std::abs(si)) return with_unit(number, display);
+  }
+  return with_unit(format_number(value, 17), display);
+}
+
+std::string quantity_in_words(double si, const std::string& display) {
+  return with_unit(format_number(si / factor_of(display), 6), display);
 }
 
 std::string display_unit_of(const std::string& si) { return si == "m" ? "mm" : si == "rad" ? "deg" : si; }
@@ -27,17 +62,17 @@ std::string toml_string(const std::string& text) {
 }
 
 std::string default_in_toml(const ParameterInfo& p) {
-  if (p.kind == PM_CHOICE) return toml_string(p.choices[static_cast<std::size_t>(p.defaults[0])]);
-  std::string out;
-  for (const double x : p.defaults) {
-    const std::string number = quantity_in(x, p.display);
-    out += (out.empty() ? "" : ", ") + (p.display.empty() ? number : "\"" + number + "\"");
-  }
-  return p.kind == PM_NUMBERS ? "[" + out + "]" : out;
+  if (p.kind == PM_CHOICE) return toml_string(default_choice(p));
+  return default_of(p, [&](double x) { return p.display.empty() ? quantity_in(x, "") : "\"" + quantity_in(x, p.display) + "\""; });
+}
+
+std::string default_in_words(const ParameterInfo& p) {
+  if (p.kind == PM_CHOICE) return default_choice(p);
+  return default_of(p, [&](double x) { return quantity_in_words(x, p.display); });
 }
 
 std::string range_in_words(const ParameterInfo& p) {
-  if (p.kind != PM_CHOICE) return fmt::format("{} to {}", quantity_in(p.min, p.display), quantity_in(p.max, p.display));
+  if (p.kind != PM_CHOICE) return fmt::format("{} to {}", quantity_in_words(p.min, p.display), quantity_in_words(p.max, p.display));
   std::string out;
   for (const std::string& c : p.choices) out += (out.empty() ? "" : " | ") + c;
   return out;

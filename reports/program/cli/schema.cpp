@@ -119,7 +119,7 @@ int schema(const Options& options) {
   const std::string& name = options.names.front();
   if (name.empty() && catalog.entries().empty()) throw host::PluginError("no mechanism found whose scenarios a schema could describe");
   const Json out = name.empty() ? schema_of_any(catalog) : schema_of(*mechanisms_named(catalog, name).front());
-  fmt::print("{}\n", out.dump(2));
+  put("{}\n", out.dump(2));
   return all_well;
 }
 

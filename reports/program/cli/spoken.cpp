@@ -29,7 +29,7 @@ void add(const CLI::App& app, const std::vector<std::string>& words, SpokenComma
                                type.starts_with(mechanism_argument), choices_in(type)});
       continue;
     }
-    SpokenOption option{{}, o->get_description(), o->get_items_expected_max() > 0, choices_in(type)};
+    SpokenOption option{{}, o->get_description(), o->get_items_expected_max() > 0, choices_in(type), o->get_group() == of_every_command};
     for (const std::string& name : o->get_snames()) option.names.push_back("-" + name);
     for (const std::string& name : o->get_lnames()) option.names.push_back("--" + name);
     out.options.push_back(std::move(option));

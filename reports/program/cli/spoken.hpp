@@ -12,12 +12,15 @@ namespace pmreport::program {
 
 // The type name of arguments that name a mechanism.
 inline constexpr const char* mechanism_argument = "MECHANISM";
+// The group of options that every command heeds; others of the program itself are of reports.
+inline constexpr const char* of_every_command = "Options of every command";
 
 struct SpokenOption {
   std::vector<std::string> names;  // "-o", "--out"
   std::string description;
   bool takes_value = false;
   std::vector<std::string> choices;  // of the value; empty: any
+  bool everywhere = false;           // of the program itself: stands behind every command
 };
 
 struct SpokenArgument {
@@ -29,7 +32,7 @@ struct SpokenArgument {
 struct SpokenCommand {
   std::vector<std::string> words;  // {"new", "scenario"}; none: the program itself
   std::string description;
-  std::vector<SpokenOption> options;  // its own; those of the program itself may stand there too
+  std::vector<SpokenOption> options;  // its own
   std::vector<SpokenArgument> arguments;
   std::vector<SpokenCommand> commands;
 };

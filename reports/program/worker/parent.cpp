@@ -1,18 +1,24 @@
-#include <reports/program/worker.hpp>
+#include <reports/program/terminal.hpp>
+#include <reports/program/worker/in_worker.hpp>
+#include <reports/program/worker/notes.hpp>
+#include <reports/program/worker/worker.hpp>
 
-#include <fmt/core.h>
+#include <core/text/text.hpp>
+#include <reports/document/folder/file.hpp>
+#include <reports/document/folder/left_behind.hpp>
+
+#include <fmt/format.h>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -22,25 +28,30 @@ namespace pmreport::program {
 
 namespace {
 
-constexpr std::chrono::seconds grace{5};         // between an interruption and the end by force
-constexpr const char* mark = "PMREPORT_WORKER";  // in the environment of a worker: "PARENT:PIPE", process number and file descriptor
+using document::Descriptor;
+using Clock = std::chrono::steady_clock;
 
-int done_pipe = -1;  // of a worker: where it says that it is done
+constexpr std::chrono::seconds grace{5};     // between an interruption and the end by force
+constexpr std::chrono::seconds farewell{2};  // between a worker's regular end and the end of its process
+constexpr int between_looks = 20;            // [ms], where the pipe does not wake us
+constexpr std::size_t most_libraries_left_out = 32;
+
+constexpr int handed[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+
 volatile sig_atomic_t worker = 0, handed_on = 0;
 void hand_on(int signal) {
   handed_on = signal;
   if (worker > 0) kill(static_cast<pid_t>(worker), signal);
 }
 
-// While it lives, SIGINT and SIGTERM wait: one that came between the start of the worker and the note of its number would be lost.
+// While it lives, these signals wait: one that came between the start of the worker and the note of its number would be lost.
 class SignalsWait {
  public:
   SignalsWait() {
-    sigset_t both;
-    sigemptyset(&both);
-    sigaddset(&both, SIGINT);
-    sigaddset(&both, SIGTERM);
-    sigprocmask(SIG_BLOCK, &both, &before_);
+    sigset_t all;
+    sigemptyset(&all);
+    for (const int signal : handed) sigaddset(&all, signal);
+    sigprocmask(SIG_BLOCK, &all, &before_);
   }
   SignalsWait(const SignalsWait&) = delete;
   SignalsWait& operator=(const SignalsWait&) = delete;
@@ -51,12 +62,42 @@ class SignalsWait {
   sigset_t before_;
 };
 
-int start(char** argv, const std::vector<char*>& environment) {
+// What must not matter to a report does not reach its worker: switches of the libraries that draw, of which some change a picture and
+// some hang.
+bool matters(std::string_view variable) {
+  for (const std::string_view prefix : {"PMREPORT_WORKER", "PANGO", "CAIRO_", "PIXMAN_", "FC_DEBUG", "G_", "MESA_", "GALLIUM_", "LP_",
+                                        "LIBGL_", "DRAW_", "ST_DEBUG", "OSMESA_"})
+    if (variable.starts_with(prefix)) return false;
+  return true;
+}
+
+struct Pipe {
+  Pipe() {
+    int both[2];
+    if (pipe2(both, O_CLOEXEC) != 0) return;
+    out = Descriptor(both[0]), in = Descriptor(both[1]);
+  }
+  bool good() const { return in.number() >= 0; }
+  Descriptor out, in;
+};
+
+void let_inherit(const Descriptor& d) { fcntl(d.number(), F_SETFD, 0); }
+
+pid_t start(char** argv, std::vector<std::string>& variables) {
+  std::vector<char*> environment;
+  for (char** e = environ; *e != nullptr; ++e)
+    if (matters(*e)) environment.push_back(*e);
+  for (std::string& v : variables) environment.push_back(v.data());
+  environment.push_back(nullptr);
+
   const SignalsWait wait;
-  struct sigaction action {};
-  action.sa_handler = hand_on;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  for (const int signal : handed) {
+    struct sigaction before {};
+    if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;  // as nohup wants it
+    struct sigaction action {};
+    action.sa_handler = hand_on;
+    sigaction(signal, &action, nullptr);
+  }
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
@@ -64,100 +105,127 @@ int start(char** argv, const std::vector<char*>& environment) {
   pid_t pid = 0;
   const int error = posix_spawn(&pid, "/proc/self/exe", nullptr, &attributes, argv, environment.data());
   posix_spawnattr_destroy(&attributes);
-  worker = pid;
+  worker = error == 0 ? pid : 0;
   return error == 0 ? pid : -1;
 }
 
-template <class... T>
-void tell(fmt::format_string<T...> format, T&&... values) {
-  std::fputs(fmt::format(format, std::forward<T>(values)...).c_str(), stderr);
+// How a worker ended, and what it said before.
+struct End {
+  Heard heard;
+  int status = 0;  // as waitpid tells it
+  bool late = false, killed = false;
+};
+
+void listen(const Descriptor& pipe, Heard& heard, bool& open) {
+  char bytes[4096];
+  const ssize_t n = read(pipe.number(), bytes, sizeof bytes);
+  if (n > 0) heard.take({bytes, static_cast<std::size_t>(n)});
+  if (n == 0) open = false;
 }
 
-// A worker is one only for the parent that started it: a mark that was inherited further down means nothing.
-bool is_worker() {
-  const char* value = std::getenv(mark);
-  const std::string parent = std::to_string(getppid()) + ":";
-  if (value == nullptr || !std::string_view(value).starts_with(parent)) return false;
-  done_pipe = std::atoi(value + parent.size());
-  fcntl(done_pipe, F_SETFD, FD_CLOEXEC);
-  return true;
+// Waits for the worker, and ends it where it must be.
+End attend(pid_t pid, const Descriptor& notes, double timeout) {
+  End end;
+  const auto begin = Clock::now();
+  std::optional<Clock::time_point> patience;  // an interrupted worker ends by itself between two steps, unless it hangs in one
+  bool open = true;
+  fcntl(notes.number(), F_SETFL, O_NONBLOCK);
+  while (true) {
+    pollfd stream{open ? notes.number() : -1, POLLIN, 0};
+    poll(&stream, 1, between_looks);
+    if (open) listen(notes, end.heard, open);
+    const pid_t ended = waitpid(pid, &end.status, WNOHANG);
+    if (ended == pid || (ended < 0 && errno != EINTR)) break;
+    const auto now = Clock::now();
+    if (end.heard.done >= 0 && !patience) patience = now + farewell;
+    if (handed_on != 0 && !patience) patience = now + grace;
+    end.late = end.late || (timeout > 0 && end.heard.done < 0 && std::chrono::duration<double>(now - begin).count() > timeout);
+    if (!end.killed && (end.late || (patience && now > *patience))) {
+      kill(pid, SIGKILL);
+      end.killed = true;
+    }
+  }
+  worker = 0;
+  while (open) {
+    pollfd stream{notes.number(), POLLIN, 0};
+    if (poll(&stream, 1, 0) <= 0) break;  // a process that the plugin has left may hold the pipe
+    listen(notes, end.heard, open);
+  }
+  return end;
+}
+
+std::string name_of(int signal) { return fmt::format("{} (signal {})", strsignal(signal), signal); }
+
+std::string untouched(const Heard& heard) {
+  return heard.standing.empty() ? "an earlier report is untouched" : fmt::format("the new report stands: {}", printable(heard.standing));
+}
+
+// The sentence, and the exit status.
+int tell_end(const End& end, double timeout) {
+  const Heard& heard = end.heard;
+  if (heard.done >= 0) return heard.done;
+  if (end.late) {
+    tell("error: not done after {} s (--timeout); {}\n", timeout, untouched(heard));
+    return worker_limited;
+  }
+  if (end.killed) {
+    tell("interrupted in the midst of a step that did not end; {}\n", untouched(heard));
+    return 128 + handed_on;
+  }
+  if (heard.no_memory) {
+    tell("error: out of memory; ask for fewer samples or smaller pictures; {}\n", untouched(heard));
+    return worker_limited;
+  }
+  const std::string in_plugin = !heard.loading.empty() ? heard.loading : heard.in_plugin;
+  const std::string where = in_plugin.empty() ? "" : fmt::format(" in {}", printable(in_plugin));
+  if (WIFEXITED(end.status)) {
+    if (in_plugin.empty() && heard.in_library.empty())
+      tell("error: the mechanism's plugin ended the program (exit status {}); {}\n", WEXITSTATUS(end.status), untouched(heard));
+    else
+      tell("error: {} ended the program (exit status {}){}; {}\n", in_plugin.empty() ? "a library" : "the mechanism's plugin",
+           WEXITSTATUS(end.status), in_plugin.empty() ? fmt::format(" in {}", printable(heard.in_library)) : where, untouched(heard));
+    return worker_crashed;
+  }
+  const int signal = WTERMSIG(end.status);
+  if (handed_on == signal) return 128 + signal;
+  if (signal == SIGKILL || signal == SIGXCPU) {
+    tell("error: the work was killed by {}, perhaps for lack of memory or time; ask for fewer samples or smaller pictures; {}\n",
+         name_of(signal), untouched(heard));
+    return worker_limited;
+  }
+  if (in_plugin.empty() && !heard.in_library.empty()) {
+    tell(
+        "error: {} gave up: {}; libraries do where memory, threads or files run out: look at `ulimit -a`, ask for fewer samples or smaller "
+        "pictures; {}\n",
+        printable(heard.in_library), name_of(signal), untouched(heard));
+    return worker_limited;
+  }
+  tell("error: the mechanism's plugin crashed: {}{}; {}. Run `pmreport check` on the plugin, under a debugger if need be\n",
+       name_of(signal), where, untouched(heard));
+  return worker_crashed;
 }
 
 }  // namespace
 
 std::optional<int> run_in_worker(char** argv, double timeout) {
-  if (is_worker()) {
-    prctl(PR_SET_PDEATHSIG, SIGTERM);  // nobody waits for an orphan's report
-    return std::nullopt;
-  }
-  int done[2] = {-1, -1};
-  if (pipe(done) != 0) return std::nullopt;
-  fcntl(done[0], F_SETFD, FD_CLOEXEC);
-  const std::string marked = fmt::format("{}={}:{}", mark, getpid(), done[1]);
-  std::vector<char*> environment;
-  for (char** e = environ; *e != nullptr; ++e)
-    if (std::strncmp(*e, mark, std::strlen(mark)) != 0) environment.push_back(*e);
-  environment.push_back(const_cast<char*>(marked.c_str()));
-  environment.push_back(nullptr);
-
-  const pid_t pid = start(argv, environment);
-  close(done[1]);
-  if (pid < 0) return std::nullopt;
-
-  int status = 0;
-  using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::duration<double>(timeout);
-  std::optional<Clock::time_point> patience;  // an interrupted worker ends by itself between two steps, unless it hangs in one
-  bool late = false, killed = false;
+  if (begin_as_worker()) return std::nullopt;
+  std::vector<std::string> left_out;
   while (true) {
-    if (handed_on != 0 && !patience) patience = Clock::now() + grace;
-    const pid_t ended = waitpid(pid, &status, (timeout > 0 || patience) && !killed ? WNOHANG : 0);
-    if (ended == pid) break;
-    if (ended < 0 && errno != EINTR) return worker_crashed;
-    if (ended == 0) {
-      late = timeout > 0 && Clock::now() > end;
-      killed = late || (patience && Clock::now() > *patience);
-      if (killed)
-        kill(pid, SIGKILL);
-      else
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
+    Pipe notes, life;
+    if (!notes.good() || !life.good()) return std::nullopt;
+    let_inherit(notes.in), let_inherit(life.out);
+    std::vector<std::string> variables = marks_of_worker(notes.in.number(), life.out.number(), left_out);
+    const pid_t pid = start(argv, variables);
+    notes.in.close(), life.out.close();
+    if (pid < 0) return std::nullopt;
+    const End end = attend(pid, notes.out, timeout);
+    if (end.heard.done < 0)
+      for (auto path = end.heard.left_behind.rbegin(); path != end.heard.left_behind.rend(); ++path) document::clear_left_behind(*path);
+    const bool crashed = WIFSIGNALED(end.status) && !end.killed && handed_on == 0;
+    if (end.heard.done >= 0 || !crashed || end.heard.loading.empty() || left_out.size() >= most_libraries_left_out)
+      return tell_end(end, timeout);
+    left_out.push_back(fmt::format("{}\n{}", end.heard.loading, name_of(WTERMSIG(end.status))));
   }
-  worker = 0;
-  if (killed && !late) {
-    tell("interrupted in the midst of a step that did not end; an earlier report is untouched\n");
-    return 128 + handed_on;
-  }
-  if (WIFEXITED(status)) {
-    char byte = 0;
-    if (read(done[0], &byte, 1) == 1) return WEXITSTATUS(status);
-    tell("error: the mechanism's plugin ended the program (exit status {}); an earlier report is untouched\n", WEXITSTATUS(status));
-    return worker_crashed;
-  }
-  const int signal = WTERMSIG(status);
-  if (late) {
-    tell("error: not done after {} s (--timeout); an earlier report is untouched\n", timeout);
-    return worker_limited;
-  }
-  if (signal == SIGINT || signal == SIGTERM) return 128 + signal;
-  if (signal == SIGKILL) {
-    tell(
-        "error: the work was killed, perhaps for lack of memory; ask for fewer samples or smaller pictures. An earlier report is "
-        "untouched\n");
-    return worker_limited;
-  }
-  tell(
-      "error: the mechanism's plugin crashed: {} (signal {}); an earlier report is untouched. Run `pmreport check` on the plugin, "
-      "under a debugger "
-      "if need be\n",
-      strsignal(signal), signal);
-  return worker_crashed;
-}
-
-void worker_done() {
-  const char byte = 1;
-  if (done_pipe < 0) return;
-  [[maybe_unused]] const auto written = write(done_pipe, &byte, 1);  // where the parent is gone nobody is left to tell
 }
 
 }  // namespace pmreport::program

@@ -1,0 +1,53 @@
+// What an import makes of settings: a mechanism with its parameters, and what its reader must know of where they come from.
+#pragma once
+
+#include <reports/program/import/settings.hpp>
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace pmreport::program {
+
+struct Imported {
+  std::string mechanism, title;
+  settings::Place place;               // where the settings say what machine it is
+  std::vector<std::string> told;       // sentences on what was taken, and what is not the file's
+  std::string parameters;              // lines of [mechanism.parameters]
+  std::string tables;                  // of the scenario, before its sections
+  std::vector<std::string> kinds;      // of sections that what is imported asks for
+  std::vector<std::string> not_taken;  // a line each: where, what, why
+};
+
+// Of LinuxCNC: INI and HAL files of one machine. Of Klipper: printer.cfg. Of Marlin: Configuration.h and the like.
+Imported import_linuxcnc(const std::vector<std::filesystem::path>& files);
+Imported import_klipper(const std::filesystem::path& file);
+Imported import_marlin(const std::vector<std::filesystem::path>& files);
+
+// "printer.cfg:12"
+std::string where(const settings::Place& place);
+
+// A number and its unit as a TOML string: "\"12.5 mm\"".
+std::string quoted(double value, const std::string& unit);
+
+// Refuses a length that no machine has, in `unit` of so many metres: beyond `most_metres`, or not above 0 where it must be.
+inline constexpr double most_metres = 100;
+void check_length(double value, double metres, const settings::Place& place, const std::string& what, bool above_zero);
+
+// Lines "printer.cfg, [fan]: pin, ..." of all settings whose place is not in `taken`, one a section.
+void tell_rest(const settings::Settings& all, const std::set<int>& taken, std::vector<std::string>& out);
+
+// Three upright towers with their rods, as printers have them.
+struct Towers {
+  std::string unit = "mm";
+  double metres = 1e-3;                                  // of the unit
+  double radius[3]{}, rod[3]{}, angle[3]{210, 330, 90};  // from ball to ball in plan, from ball to ball, [deg]
+  double lowest = 0, highest = 0;                        // of the carriages' balls, where the platform's balls are at the nozzle's height
+  double home = 0;                                       // height of the nozzle
+  std::string lowest_from, highest_from;                 // what of the file they follow from
+};
+// Refuses towers that make no machine; `place` as of the file.
+void put_towers(const Towers& towers, Imported& out);
+
+}  // namespace pmreport::program
