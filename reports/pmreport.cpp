@@ -1,13 +1,15 @@
 // The program: what the user typed goes to its command, and what a command throws becomes a sentence and the exit status.
+#include <core/host/processor.hpp>
 #include <core/mechanics/machine/machine.hpp>
 #include <core/scan/checkpoint.hpp>
 #include <core/scenario/diagnostic.hpp>
 #include <reports/compare/results.hpp>
 #include <reports/document/write.hpp>
+#include <reports/figure/warnings.hpp>
 #include <reports/program/commands.hpp>
 #include <reports/program/scaffold.hpp>
 #include <reports/program/terminal.hpp>
-#include <reports/program/worker.hpp>
+#include <reports/program/worker/worker.hpp>
 
 #include <fcntl.h>
 #include <tbb/global_control.h>
@@ -32,8 +34,11 @@ bool stop_asked() { return stop_signal != 0; }
 void listen_to_signals() {
   struct sigaction action {};
   action.sa_handler = on_signal;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+    struct sigaction before {};
+    if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;  // as nohup wants it
+    sigaction(signal, &action, nullptr);
+  }
 }
 
 // A stream that is closed from the start would lend its number to the first file opened, and words would end in that file. This one
@@ -71,6 +76,8 @@ int run(const Options& options) {
       return program::classify(options);
     case program::Command::new_scenario:
       return program::new_scenario(options);
+    case program::Command::import_settings:
+      return program::import_settings(options);
     case program::Command::schema:
       return program::schema(options);
   }
@@ -110,7 +117,11 @@ int guarded(F&& f) {
   } catch (const scan::CheckpointError& e) {
     tell("error: {}\n", e.what());
     return program::bad_scenario;
-  } catch (const std::system_error& e) {  // of a print to stdout, or of a folder that went away
+  } catch (const std::system_error& e) {  // of a thread that is not to be had, of a print to stdout, or of a folder that went away
+    if (e.code() == std::errc::resource_unavailable_try_again || e.code() == std::errc::not_enough_memory) {
+      tell("error: neither another thread nor more memory is to be had ({}); look at `ulimit -a`, or ask for --threads 1\n", e.what());
+      return program::resource_limit;
+    }
     tell("error: the output failed: {}\n", e.what());
     return program::output_failed;
   } catch (const std::bad_alloc&) {
@@ -122,27 +133,39 @@ int guarded(F&& f) {
   }
 }
 
+int work(const Options& options) {
+  std::optional<tbb::global_control> threads;
+  if (options.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  return run(options);
+}
+
+// What is printed may stand in a buffer until here.
+int flushed(int status) {
+  if (std::fflush(program::results()) == 0 && std::ferror(program::results()) == 0) return status;
+  tell("error: standard output could not be written\n");
+  return status == program::all_well ? program::output_failed : status;
+}
+
+int answer(int argc, char** argv) {
+  const std::variant<Options, int> asked = program::read_command_line(argc, argv);
+  if (const int* status = std::get_if<int>(&asked)) return flushed(*status);
+  const Options& options = std::get<Options>(asked);
+  if (const std::string wrong = host::fault_of_processor(); !wrong.empty()) {
+    tell("error: {}\n", wrong);
+    return program::bad_scenario;
+  }
+  if (options.command != program::Command::many)
+    if (const std::optional<int> status = program::run_in_worker(argv, options.timeout)) return *status;
+  const int status = flushed(guarded([&] { return work(options); }));
+  program::worker_done(status);
+  return status;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   fill_closed_streams();
+  figure::keep_library_warnings();
   std::signal(SIGPIPE, SIG_IGN);
-
-  const std::variant<Options, int> asked = program::read_command_line(argc, argv);
-  if (const int* status = std::get_if<int>(&asked)) return *status;
-  const Options& options = std::get<Options>(asked);
-  if (options.command != program::Command::many)
-    if (const std::optional<int> status = program::run_in_worker(argv, options.timeout)) return *status;
-
-  std::optional<tbb::global_control> threads;
-  if (options.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
-
-  const int status = guarded([&] { return run(options); });
-  if (std::fflush(stdout) != 0 && status == program::all_well) {
-    tell("error: standard output could not be written\n");
-    program::worker_done();
-    return program::output_failed;
-  }
-  program::worker_done();
-  return status;
+  return guarded([&] { return answer(argc, argv); });
 }

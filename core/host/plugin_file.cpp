@@ -8,6 +8,7 @@
 #include <core/host/plugin_table.hpp>
 #include <core/host/processor.hpp>
 #include <core/host/refusal.hpp>
+#include <core/host/surroundings.hpp>
 #include <cstring>
 #include <map>
 #include <mutex>
@@ -41,6 +42,8 @@ struct Registry {
   std::mutex guard;
   std::vector<boost::dll::shared_library> libraries;  // refused ones as well: the unloading of C++ code is not dependable
   std::map<std::filesystem::path, PluginFile> plugins;
+  std::map<std::filesystem::path, std::string> left_out;  // and what ended the process that loaded it
+  void (*loading)(const std::filesystem::path&, bool) = [](const std::filesystem::path&, bool) {};
 };
 
 // Never destroyed: an object of the program that outlives main may still hold a pointer into a library.
@@ -55,7 +58,16 @@ const PluginFile& load(Registry& known, const std::filesystem::path& path) {
   const std::filesystem::path file = std::filesystem::canonical(path);
   if (const auto same = known.plugins.find(file); same != known.plugins.end()) return same->second;
   const std::string where = path.string();
+  if (const auto end = known.left_out.find(file); end != known.left_out.end())
+    refuse(where, "a library that can be loaded", "a crash as it was: " + end->second, "take the file out of the plugin folder");
+  known.loading(file, true);
+  const Surroundings before;
   const auto& library = known.libraries.emplace_back(open(file, where));
+  const std::vector<std::string> changed = before.restore();
+  known.loading(file, false);
+  if (!changed.empty())
+    refuse(where, "a library that leaves the program as it is", "one that changes " + changed.front() + " as it is loaded",
+           "take that out of it, or build it without");
   const auto& table = library.get<const pm_plugin_table>(PM_PLUGIN_SYMBOL);
   require_sound(table, where);
   return known.plugins[file] = {path, {}, &table, {table.mechanisms, table.mechanisms + table.mechanism_count}};
@@ -72,6 +84,16 @@ void require_same(const PluginFile& plain, const PluginFile& build) {
 }
 
 }  // namespace
+
+void watch_loading(void (*loading)(const std::filesystem::path& file, bool begins)) {
+  const std::lock_guard lock(registry().guard);
+  registry().loading = loading;
+}
+
+void leave_out(const std::filesystem::path& file, const std::string& end) {
+  const std::lock_guard lock(registry().guard);
+  registry().left_out[file] = end;
+}
 
 PluginFile load_plugin(const std::filesystem::path& path) {
   Registry& known = registry();

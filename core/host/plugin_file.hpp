@@ -21,4 +21,10 @@ struct PluginFile {
 // names. Does not make an instance. A build for a processor must have the same mechanisms as the plain one.
 PluginFile load_plugin(const std::filesystem::path& path);
 
+// What a library runs as it is loaded may end the process. Whoever lives on can know which it was: `loading` is called before each load and
+// after it.
+void watch_loading(void (*loading)(const std::filesystem::path& file, bool begins));
+// Such a library, which is refused from now on without being loaded. `end`: what ended the process, "Segmentation fault (signal 11)".
+void leave_out(const std::filesystem::path& file, const std::string& end);
+
 }  // namespace pmreport::host

@@ -27,8 +27,21 @@ bool says_stiffness(const Value& table) {
   return std::ranges::any_of(table.entries, [](const Entry& e) { return e.key == "stiffness" || says_stiffness(e.value); });
 }
 
-std::string text_or_nothing(const Entry* entry, const Reader& reader) {
-  return entry != nullptr ? reader.text(entry->value).value_or("") : std::string();
+// What a page can be broken into lines for within a moment.
+constexpr std::size_t longest_name = 300, longest_text = 10'000, most_lines = 200;
+
+std::string text_or_nothing(const Entry* entry, const Reader& reader, std::size_t longest) {
+  if (entry == nullptr) return {};
+  std::string text = reader.text(entry->value).value_or("");
+  const auto refuse = [&](std::size_t seen, std::size_t most, const char* what) {
+    reader.diagnostics().add(entry->value.place, fmt::format("expected at most {} {} for {}, seen {}", most, what, entry->key, seen));
+    text.clear();
+  };
+  if (const std::size_t seen = characters(text); seen > longest)
+    refuse(seen, longest, "characters");
+  else if (const auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n')) + 1; lines > most_lines)
+    refuse(lines, most_lines, "lines");
+  return text;
 }
 
 }  // namespace
@@ -69,11 +82,11 @@ Loaded load_text(const std::string& text, const Origin& origin) {
   s.file = file;
   s.text = text;
   const Entry* title = table.need("title", "title = \"...\"");
-  s.title = text_or_nothing(title, reader);
-  if (title != nullptr && title->value.kind == Value::Kind::text && trim(s.title).empty())
+  s.title = text_or_nothing(title, reader, longest_name);
+  if (title != nullptr && title->value.kind == Value::Kind::text && trim(title->value.text).empty())
     diagnostics.add(title->value.place, "expected a title, seen an empty text");
-  s.author = text_or_nothing(table.find("author"), reader);
-  s.description = text_or_nothing(table.find("description"), reader);
+  s.author = text_or_nothing(table.find("author"), reader, longest_name);
+  s.description = text_or_nothing(table.find("description"), reader, longest_text);
   if (const Entry* detail = table.find("detail"))
     if (const auto which = reader.word(detail->value, {"brief", "engineering", "full"}, "the levels of detail"))
       s.detail = static_cast<Detail>(*which);
@@ -119,6 +132,8 @@ Loaded load(const Origin& origin) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) refuse_file(shown, "there is no such file");
   if (std::filesystem::is_directory(file, error)) refuse_file(shown, "expected a scenario file, seen a folder");
+  if (!std::filesystem::is_regular_file(file, error))
+    refuse_file(shown, "expected a scenario file, seen a pipe or a device", "write the scenario to a file first");
   if (const auto size = std::filesystem::file_size(file, error); !error && size > largest_file)
     refuse_file(shown, fmt::format("expected at most {} MiB, seen {} bytes", largest_file >> 20, size));
   const auto text = read_file(file, largest_file);

@@ -61,9 +61,18 @@ std::string in_quotes(std::string_view text) {
 }
 
 std::string printable(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (const auto u = static_cast<unsigned char>(c); (u < 0x20 && c != '\t') || u == 0x7F) c = '?';
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size();) {
+    const bool c0 = (byte(i) < 0x20 && text[i] != '\t') || byte(i) == 0x7F;
+    const bool c1 = byte(i) == 0xC2 && byte(i + 1) >= 0x80 && byte(i + 1) <= 0x9F;
+    // U+202A to U+202E and U+2066 to U+2069 turn the direction of what is read.
+    const bool turns = byte(i) == 0xE2 && ((byte(i + 1) == 0x80 && byte(i + 2) >= 0xAA && byte(i + 2) <= 0xAE) ||
+                                           (byte(i + 1) == 0x81 && byte(i + 2) >= 0xA6 && byte(i + 2) <= 0xA9));
+    out += c0 || c1 || turns ? '?' : text[i];
+    i += turns ? 3 : c1 ? 2 : 1;
+  }
   return out;
 }
 

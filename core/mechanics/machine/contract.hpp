@@ -5,13 +5,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cfenv>
 #include <core/mechanics/machine/mechanism_error.hpp>
 #include <cstddef>
 #include <cstring>
+#include <exception>
+#include <new>
 #include <string>
 #include <vector>
 
 namespace pmreport::mechanics::contract {
+
+// What a plugin must keep: a broken one is told by a sentence.
+inline void demand(bool condition, const std::string& sentence) {
+  if (!condition) throw MechanismError(PM_FAILED, sentence);
+}
 
 // Item i of a list, whose items may be longer (a newer plugin) than ours.
 template <class T>
@@ -22,6 +30,9 @@ T item(const pm_list& list, std::size_t i) {
 }
 template <class T, class F>
 auto map(const pm_list& list, F&& f) {
+  constexpr std::size_t most = 100'000;  // items: no mechanism has a hundredth of them
+  demand(list.count <= most, "declares a list of more items than any mechanism has");
+  demand(list.count == 0 || (list.items != nullptr && list.stride > 0), "declares a list that has items but no place for them");
   std::vector<decltype(f(T{}))> out;
   for (std::size_t i = 0; i < list.count; ++i) out.push_back(f(item<T>(list, i)));
   return out;
@@ -29,20 +40,34 @@ auto map(const pm_list& list, F&& f) {
 
 inline std::string text_or_empty(const char* s) { return s != nullptr ? s : ""; }
 
-// Calls a function of the contract with room for a sentence.
+// Calls a function of the contract. It must neither throw, which plain C cannot carry, nor leave numbers rounded in another way.
+template <class F>
+pm_status undisturbed(F&& f) {
+  const int rounding = std::fegetround();
+  pm_status status = PM_FAILED;
+  try {
+    status = f();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& e) {
+    throw MechanismError(PM_FAILED, std::string("a function of the plugin threw an exception: ") + e.what());
+  } catch (...) {
+    throw MechanismError(PM_FAILED, "a function of the plugin threw what is no std::exception");
+  }
+  if (std::fegetround() == rounding) return status;
+  std::fesetround(rounding);
+  throw MechanismError(PM_FAILED, "a function of the plugin changed how numbers are rounded (fesetround) and left it so");
+}
+
+// The same with room for a sentence.
 template <class F>
 pm_status call(std::string& sentence, F&& f) {
   std::array<char, 512> buffer{};
   pm_text text{buffer.data(), buffer.size()};
-  const pm_status status = f(&text);
+  const pm_status status = undisturbed([&] { return f(&text); });
   buffer.back() = '\0';
   if (status != PM_OK) sentence = buffer.data();
   return status;
-}
-
-// What a plugin must keep: a broken one is told by a sentence.
-inline void demand(bool condition, const std::string& sentence) {
-  if (!condition) throw MechanismError(PM_FAILED, sentence);
 }
 
 // Older plugins end before this member.

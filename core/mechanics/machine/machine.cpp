@@ -20,7 +20,7 @@
 
 namespace pmreport::mechanics {
 
-using contract::call, contract::closed_forms_of, contract::demand;
+using contract::call, contract::closed_forms_of, contract::demand, contract::undisturbed;
 
 namespace {
 
@@ -164,7 +164,7 @@ bool Machine::records() const { return contract::records(*table_); }
 pm_status Machine::place(pm_order order, std::size_t count, const double* coordinates, double* placement, std::string* why) const {
   if (order == PM_EXTENDED && program() != nullptr) return place_extended(count, coordinates, placement, why);
   const auto ask = [&](pm_text* text) { return table_->kinematics->place(instance_, order, count, coordinates, placement, text); };
-  const pm_status status = why == nullptr ? ask(nullptr) : call(*why, ask);
+  const pm_status status = why == nullptr ? undisturbed([&] { return ask(nullptr); }) : call(*why, ask);
   if (status != PM_OK || count != 1) return status;
   return finite_or_singular(order, placement, why);
 }
@@ -202,7 +202,8 @@ std::vector<Eigen::MatrixXd> Machine::matrices(std::span<const double> coordinat
   for (const SourceMatrix& m : topology_.matrices) size += static_cast<std::size_t>(m.rows * m.columns);
   std::vector<double> numbers(size);
   const pm_closed_forms* forms = closed_forms_of(*table_);
-  if (size == 0 || forms->evaluate(instance_, coordinates.data(), pose.numbers.data(), numbers.data(), nullptr) != PM_OK) return {};
+  const auto ask = [&] { return forms->evaluate(instance_, coordinates.data(), pose.numbers.data(), numbers.data(), nullptr); };
+  if (size == 0 || undisturbed(ask) != PM_OK) return {};
   std::vector<Eigen::MatrixXd> out;
   const double* at = numbers.data();
   for (const SourceMatrix& m : topology_.matrices) {
@@ -214,13 +215,14 @@ std::vector<Eigen::MatrixXd> Machine::matrices(std::span<const double> coordinat
 
 std::vector<double> Machine::readings(std::span<const double> coordinates, const Pose& pose) const {
   std::vector<double> out(topology_.readings.size(), std::numeric_limits<double>::quiet_NaN());
-  if (!out.empty()) closed_forms_of(*table_)->read(instance_, coordinates.data(), pose.numbers.data(), out.data(), nullptr);
+  const auto ask = [&] { return closed_forms_of(*table_)->read(instance_, coordinates.data(), pose.numbers.data(), out.data(), nullptr); };
+  if (!out.empty()) undisturbed(ask);
   return out;
 }
 
 pm_status Machine::jacobian(pm_order order, std::size_t count, const double* placement, double* jacobian, std::string* why) const {
   const auto ask = [&](pm_text* text) { return table_->statics->jacobian(instance_, order, count, placement, jacobian, text); };
-  const pm_status status = why == nullptr ? ask(nullptr) : call(*why, ask);
+  const pm_status status = why == nullptr ? undisturbed([&] { return ask(nullptr); }) : call(*why, ask);
   if (status != PM_OK) std::fill_n(jacobian, 36 * components(order) * count, std::numeric_limits<double>::quiet_NaN());
   return status;
 }

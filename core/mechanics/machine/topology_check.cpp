@@ -88,7 +88,9 @@ void check_topology(const Topology& t, int dof) {
          fmt::format("declares {} constraint wrenches, expected {} (6 less the degrees of freedom)", count(t.constraints), 6 - dof));
   demand(t.platform > 0 && t.platform < count(t.bodies),
          fmt::format("names body {} as the platform, but has bodies 1 to {}", t.platform, count(t.bodies) - 1));
-  demand(t.idle >= 0, "declares a negative number of idle freedoms");
+  demand(t.idle >= 0 && t.idle <= 6 * (count(t.bodies) - 1),
+         fmt::format("declares {} idle freedoms, and {} moving bodies have {} freedoms in all", t.idle, count(t.bodies) - 1,
+                     6 * (count(t.bodies) - 1)));
   for (const Coordinate& c : t.coordinates) {
     demand(c.unit == "m" || c.unit == "rad", fmt::format("coordinate {}: unit \"{}\", expected \"m\" or \"rad\"", c.name, c.unit));
     demand(std::isfinite(c.box.min) && std::isfinite(c.box.max), fmt::format("coordinate {}: its box is not a finite range", c.name));

@@ -123,8 +123,9 @@ class TableParser {
 }  // namespace
 
 std::optional<std::string> read_file(const std::filesystem::path& file, std::size_t most) {
-  std::ifstream in(file, std::ios::binary);
   std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;  // a pipe would keep whoever opens it waiting
+  std::ifstream in(file, std::ios::binary);
   const auto size = std::filesystem::file_size(file, error);
   if (!in || error || size > most) return std::nullopt;
   std::string text(size, '\0');

@@ -1,0 +1,83 @@
+#!/bin/sh
+# sh tests/torture.sh [PLACES]: makes calls of the program fail one after the other, at so many places of each kind (default 200), and kills
+# it at as many moments. Each time the report must be the old one, whole, or the new one, whole; nothing may be left beside it; and the exit
+# status must say why. Builds what it needs into build/.
+set -eu
+cd "$(dirname "$0")/.."
+places=${1:-200}
+# shellcheck source=reports/packages.sh
+. reports/packages.sh
+# shellcheck disable=SC2086  # a list of words
+install_packages $program_packages $test_packages
+[ -f build/build.ninja ] || cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DPMREPORT_TESTS=ON -DPMREPORT_LEVELS=
+cmake --build build --parallel "$(nproc)" --target pmreport fail_nth plain
+
+program=$PWD/build/bin/pmreport shim=$PWD/build/tests/libfail_nth.so
+room=$(mktemp -d)
+trap 'rm -rf "$room"' EXIT
+mkdir "$room/plugins"
+cp build/tests/host/plugins/plain.so "$room/plugins"
+cat >"$room/slider.toml" <<'X'
+title = "Torture"
+[mechanism]
+use = "plain-slider"
+[motion]
+duration = "1 s"
+samples = 11
+x = "10 mm * sin(t * 1 rad/s)"
+[[section]]
+kind = "snapshots"
+[[section]]
+kind = "displacement"
+[[section]]
+kind = "dynamics"
+X
+cd "$room"
+report() { "$program" slider.toml --out report --plugin-path plugins; }
+report >/dev/null
+cp -r report good
+
+wrong=0
+# judge STATUS ALLOWED WHAT: the report is whole, nothing is left, the status is one of those.
+judge() {
+  case " $2 " in *" $1 "*) ;; *) wrong=$((wrong + 1)) && echo "exit status $1 at $3: $(tail -n 1 err)" ;; esac
+  if ! diff -r report good >/dev/null; then
+    wrong=$((wrong + 1)) && echo "another report, exit status $1, at $3" && rm -rf report && cp -r good report
+  fi
+  left=$(find . -maxdepth 1 -name '.report*')
+  [ -z "$left" ] || { wrong=$((wrong + 1)) && echo "left behind at $3:$left" && rm -rf .report*; }
+}
+
+for kind in write fsync rename mkdir open mmap thread malloc; do
+  for where in worker parent; do
+    rm -f count
+    FAIL_CALL=$kind FAIL_IN=$where FAIL_AT=0 FAIL_COUNT=$room/count LD_PRELOAD=$shim report >/dev/null 2>&1
+    all=$(sort -n count 2>/dev/null | tail -n 1)
+    all=${all:-0}
+    step=$(((all + places - 1) / places))
+    [ "$step" -gt 0 ] || step=1
+    tried=0 at=1
+    while [ "$at" -le "$all" ]; do
+      FAIL_CALL=$kind FAIL_IN=$where FAIL_AT=$at LD_PRELOAD=$shim timeout 60 "$program" slider.toml --out report --plugin-path plugins \
+        >/dev/null 2>err && status=0 || status=$?
+      judge "$status" "0 4 5" "$kind $at of $all in the $where"
+      tried=$((tried + 1)) at=$((at + step))
+    done
+    echo "$kind in the $where: $tried of $all places tried"
+  done
+done
+
+moment=0
+while [ "$moment" -lt "$places" ]; do
+  report >/dev/null 2>err &
+  sleep "0.$(printf '%03d' $((moment * 700 / places)))"
+  kill -KILL $! 2>/dev/null || true
+  wait $! 2>/dev/null && status=0 || status=$?
+  # The worker sees that its parent is gone, and clears away.
+  patience=100
+  while [ -n "$(find . -maxdepth 1 -name '.report*')" ] && [ "$patience" -gt 0 ]; do sleep 0.1 && patience=$((patience - 1)); done
+  judge "$status" "0 137" "a kill at moment $moment"
+  moment=$((moment + 1))
+done
+echo "$places kills"
+[ "$wrong" -eq 0 ] && echo "nothing went wrong" || { echo "$wrong went wrong" && exit 1; }
