@@ -191,9 +191,8 @@ document::Check demand(const std::string& name, int broken, const std::string& m
 document::Check limits_kept(const Analysis& a) {
   const LimitCount n = count_limits(a);
   const std::vector<std::string> sentences = limit_sentences(a);
-  document::Check c =
-      demand("limits of forces, speeds, powers and reactions are kept", n.broken,
-             fmt::format("at {} of {} samples", n.judged - n.broken, a.samples()), sentences.empty() ? "" : sentences.front());
+  document::Check c = demand("limits of forces, speeds, powers and reactions are kept", n.broken,
+                             fmt::format("at {} of {} samples", n.judged - n.broken, a.samples()), first_and_number(sentences));
   c.limit = "at all";
   if (n.judged == 0 && n.broken == 0) c.passed = false, c.message = "no sample has forces to hold against the limits";
   return c;
@@ -232,9 +231,9 @@ const char* proved_words(const Proved& p) {
 std::string first(const std::vector<std::string>& sentences) { return sentences.empty() ? std::string() : sentences.front(); }
 
 // Of kinds of claims: a demand that the samples keep and the proof refutes fails by the proof; one that both keep holds at every instant.
-document::Check demand_always(const Analysis& a, const Proved& p, const char* name, int broken, const std::string& message,
+document::Check demand_always(const Analysis& a, const Proved& p, const char* name, int broken, const std::vector<std::string>& sentences,
                               std::initializer_list<ProvedClaim::About> kinds) {
-  document::Check c = demand(name, broken, of_samples(a, broken), message);
+  document::Check c = demand(name, broken, of_samples(a, broken), first_and_number(sentences));
   c.limit = "at all";
   if (broken > 0 || !p.proof.unexamined.empty()) return c;
   std::size_t stretches = 0, claims = 0;
@@ -249,9 +248,9 @@ document::Check demand_always(const Analysis& a, const Proved& p, const char* na
       if (where.empty()) where = between_samples(a, *claim);
     }
   if (stretches > 0) {
-    c = demand(name, static_cast<int>(stretches), plural(static_cast<int>(stretches), "time") + " between samples", message);
+    c = demand(name, static_cast<int>(stretches), plural(static_cast<int>(stretches), "time") + " between samples", first(sentences));
     if (c.message.ends_with('.')) c.message.pop_back();
-    c.message += where + ".";
+    c.message += where + "." + number_of_others(sentences);
     c.proved = true;
   } else if (claims > 0 && all_hold) {
     c.measured = proved_words(p), c.proved = true;
@@ -265,7 +264,7 @@ document::Check regularity(const Analysis& a, const Proved& p) {
   if (met == 0 && !lost.empty()) met = 1;
   const std::vector<std::string> sentences = singularity_sentences(a);
   document::Check c = demand(demands::regularity, met, met == 0 ? "never" : plural(met, "time"),
-                             sentences.empty() ? as_sentence(first(lost)) : sentences.front());
+                             sentences.empty() ? as_sentence(first(lost)) : first_and_number(sentences));
   c.limit = "never";
   if (c.passed && p.holds(ProvedClaim::About::regular))
     c.message = fmt::format("det G keeps its sign {}; the constraints of all bodies are judged at the samples.", proved_words(p));
@@ -286,10 +285,10 @@ std::vector<document::Check> evaluate_checks(const Analysis& a, const Proved& p,
 
   int broken = 0;
   for (const SampleRun& i : a.broken()) broken += i.last - i.first + 1;
-  out.push_back(demand_always(a, p, demands::assembly, a.count(Outcome::unreachable), first(assembly_sentences(a, p)),
-                              {ProvedClaim::About::assembled}));
-  out.push_back(demand_always(a, p, demands::limits, broken, first(range_sentences(a, p)),
-                              {ProvedClaim::About::stroke, ProvedClaim::About::joint_limit}));
+  out.push_back(
+      demand_always(a, p, demands::assembly, a.count(Outcome::unreachable), assembly_sentences(a, p), {ProvedClaim::About::assembled}));
+  out.push_back(
+      demand_always(a, p, demands::limits, broken, range_sentences(a, p), {ProvedClaim::About::stroke, ProvedClaim::About::joint_limit}));
   if (a.scenario().limits.any()) out.push_back(limits_kept(a));
   out.push_back(regularity(a, p));
   return out;

@@ -33,8 +33,6 @@ struct Context {
 
 struct SectionKind : scenario::SectionKind {
   Result (*make)(const Context&, const scenario::Section&) = nullptr;
-  // Adds its panels to the overview and returns what they show, in words. nullptr: it has no part in it.
-  std::string (*glance)(const Analysis&, figure::Figure&) = nullptr;
 };
 
 }  // namespace pmreport::section

@@ -1,11 +1,13 @@
 #include <reports/document/data/sha256.hpp>
 #include <reports/section/checks.hpp>
+#include <reports/section/common/inputs.hpp>
 #include <reports/section/common/plots.hpp>
 #include <reports/section/common/stage.hpp>
 #include <reports/section/common/words/motion_words.hpp>
 #include <reports/section/common/words/proof_words.hpp>
 #include <reports/section/every_instant/every_instant.hpp>
 #include <reports/section/front/front.hpp>
+#include <reports/section/front/live_model.hpp>
 #include <reports/section/front/model_file.hpp>
 #include <reports/section/kinds.hpp>
 #include <reports/section/make_report.hpp>
@@ -110,8 +112,12 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
     for (document::Data& d : always.data) r.data.push_back(std::move(d));
     r.every_instant = every_instant_results(a, p);
   }
+  r.inputs = inputs_of(a);
   put_front(r, a, p, unseen, std::move(found));
-  if (s.needs().pictures) r.files.push_back(model_file(a));
+  if (s.needs().pictures) {
+    r.files.push_back(model_file(a));
+    r.live = live_model(a);
+  }
   if (cover) r.cover = cover->wait();
   return r;
 }

@@ -1,3 +1,4 @@
+#include <sys/stat.h>
 #include <catch2/catch.hpp>
 #include <tests/scenario/trial.hpp>
 
@@ -26,6 +27,22 @@ TEST_CASE("what is not there is asked for") {
   CHECK_THAT(told(with("duration = \"2 s\"\nsamples = 21\n", "")),
              Contains("expected the key \"duration\" in [motion]") && Contains("expected the key \"samples\" in [motion]"));
   CHECK_THAT(told(with("\"Stage\"", "\" \"")), Contains("expected a title, seen an empty text"));
+}
+
+TEST_CASE("texts have a length within which they can be broken into lines") {
+  CHECK_THAT(told(with("\"Stage\"", "\"" + std::string(301, 'x') + "\"")), Contains("a.toml:1:9: error: expected at most 300 characters"));
+  CHECK(told(with("\"Stage\"", "\"" + std::string(300, 'x') + "\"")).empty());
+  const auto described = [](const std::string& text) { return told("description = \"\"\"" + text + "\"\"\"\n" + std::string(sound)); };
+  CHECK_THAT(described(std::string(100'000, 'x')), Contains("expected at most 10000 characters for description, seen 100000"));
+  CHECK_THAT(described(std::string(8000, '\n')), Contains("expected at most 200 lines"));
+  CHECK(described(std::string(10'000, 'x')).empty());
+}
+
+TEST_CASE("a pipe is no scenario, and keeps nobody waiting") {
+  const Folder folder;
+  const auto pipe = folder.path() / "pipe.toml";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  CHECK_THROWS_AS(pmreport::scenario::load(pipe, stage::source(), pmreport::section::kinds()), ScenarioError);
 }
 
 TEST_CASE("a syntax error is told with its place") {
@@ -197,6 +214,8 @@ TEST_CASE("a section has the options of its kind") {
              Contains("expected an elevation from -90 deg to 90 deg, seen 91 deg"));
   CHECK_THAT(snapshots("size = [10, 100000]"), Contains("from 64 to 8000, seen the number 10\n") && Contains("seen the number 100000"));
   CHECK_THAT(snapshots("size = [1]"), Contains("expected a list of width and height in pixels, seen 1 items"));
+  CHECK_THAT(snapshots("overlay = 1"), Contains("expected 2 to 12 poses, or 0 for no such picture, seen 1"));
+  CHECK_THAT(snapshots("overlay = 13"), Contains("from 0 to 12, seen the number 13"));
   CHECK_THAT(snapshots("ground = \"black\""), Contains("expected \"white\" or \"transparent\", seen \"black\""));
   CHECK_THAT(snapshots("path = 1"), Contains("expected true or false, seen the number 1"));
 }

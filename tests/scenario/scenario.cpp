@@ -118,6 +118,7 @@ TEST_CASE("load and snapshots have sane defaults") {
   const auto& snapshots = options_of<section::SnapshotsOptions>(s.sections[0]);
   CHECK(snapshots.times == std::vector<double>{0});
   REQUIRE(snapshots.views.size() == 1);
-  CHECK(snapshots.views[0].name == "isometric");
+  CHECK(snapshots.views[0].name == "auto");
+  CHECK_FALSE(snapshots.overlay);
   CHECK(s.checks.empty());
 }

@@ -5,7 +5,9 @@
 #include <tests/section/whole_report.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <set>
 
 using namespace pmreport;
 using namespace whole_report;
@@ -125,19 +127,51 @@ TEST_CASE("a report says what made it, of what, and from which scenario") {
   CHECK(r.provenance.scenario_sha256 == "a4bf885444240a64775aeb8ac10a97760246ffb52d15637a0ace647c43c98547");
 }
 
-TEST_CASE("an overview shows at a glance what three kinds of curves or more show, and there is none of fewer") {
-  const auto r = of_gantry(asking_for({"displacement", "velocity", "acceleration"}));
-  const document::Section& s = section_of(r, "overview");
-  CHECK(panels_of(s) == std::vector<std::string>{"position", "actuator length", "actuator rate", "actuator acceleration"});
-  const auto& rate = series_of(s, "actuator rate", "q").y;
-  const figure::Panel& panel = panel_of(s, "actuator rate");
-  CHECK(panel.y.unit == "mm/s");
+TEST_CASE("an overview has a row an actuator with its worst points, where there are three columns or more") {
+  const auto r = of_gantry("[limits]\nactuator_speed = \"0.2 m/s\"\n" + asking_for({"displacement", "velocity", "dynamics"}));
+  const auto& f = *report_words::pointers<figure::Figure>(section_of(r, "overview")).at(0);
+  REQUIRE(f.multiples);
+  CHECK(f.multiples->rows == std::vector<std::string>{"q"});
+  CHECK(f.multiples->columns == std::vector<std::string>{"length", "speed", "force", "power"});
+  REQUIRE(f.panels.size() == 4);
+  const figure::Panel& speed = f.panels[1];
+  CHECK(speed.y.unit == "mm/s");
   for (std::size_t k = 0; k < 21; ++k)
-    CHECK(rate[k] == Approx(50 * std::numbers::pi * std::cos(std::numbers::pi * 0.1 * double(k))).margin(1e-9));
-  const auto& f = *report_words::pointers<figure::Figure>(s).at(0);
-  CHECK(
-      f.caption ==
-      "The motion at a glance: position and orientation of the platform, displacement of the actuators; their rates; their accelerations.");
+    CHECK(speed.series.at(0).y[k] == Approx(50 * std::numbers::pi * std::cos(std::numbers::pi * 0.1 * double(k))).margin(1e-9));
+  // 50 mm of a stroke of 1 m either way; 157 mm/s at the start; 3 kg by 0.05 pi^2 m/s^2 at 0.5 s.
+  const auto mark = [&](std::size_t panel) { return f.panels[panel].marks.at(0); };
+  CHECK(mark(0).label == "50.0");
+  CHECK(mark(0).x == Approx(0.5));
+  CHECK(mark(1).label == "157");
+  CHECK(mark(1).x == 0);
+  CHECK(std::abs(mark(2).y) == Approx(3 * 0.05 * std::numbers::pi * std::numbers::pi));
+  REQUIRE(speed.lines.size() == 2);
+  CHECK(speed.lines[0].y == Approx(200));
+  CHECK(speed.lines[0].forbids == figure::Line::Forbids::above);
+  CHECK(f.caption ==
+        "Every actuator at a glance: length, speed, force, power. A column has one scale. Dots: the worst of each actuator, in bold of "
+        "all; of "
+        "a length the nearest to an end of its stroke, else the largest. Hatched: beyond a limit. Off the scale: strokes ±1000 mm.");
 
   for (const document::Section& other : of_gantry(asking_for({"displacement", "velocity"})).sections) CHECK(other.id != "overview");
+}
+
+TEST_CASE("no panel stands twice in a report") {
+  const auto r = of_gantry("[load]\nforce = [\"7 N * t / 1 s\", \"4 N * t / 1 s\", \"5 N\"]\n" +
+                           asking_for({"displacement", "velocity", "acceleration", "statics", "dynamics"}));
+  std::set<std::string> seen;
+  std::size_t panels = 0;
+  for (const document::Section& s : r.sections)
+    for (const auto* f : report_words::pointers<figure::Figure>(s))
+      if (!f->multiples)
+        for (const figure::Panel& p : f->panels) {
+          ++panels;
+          std::string what = p.title + p.y.unit;
+          for (const figure::Series& c : p.series) {
+            what += c.label;
+            for (const double y : c.y) what += std::to_string(y);
+          }
+          CHECK(seen.insert(what).second);
+        }
+  CHECK(panels > 5);
 }

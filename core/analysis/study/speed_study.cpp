@@ -95,13 +95,14 @@ double SpeedStudy::duration(double scale) const { return (a_.time().back() - a_.
 std::vector<SpeedStudy::Own> SpeedStudy::own() const {
   std::vector<Own> out;
   for (std::size_t l = 0; l < feasible_.limits.size(); ++l) {
-    Own o{l, std::numeric_limits<double>::infinity(), -1};
-    const std::vector<double>& s = feasible_.limits[l].largest;
-    for (std::size_t k = 0; k < s.size(); ++k)
-      if (s[k] < o.scale) o.scale = s[k], o.sample = static_cast<int>(k);
-    out.push_back(o);
+    const SpeedLimit& one = feasible_.limits[l];
+    out.push_back(
+        {l, one.sample < 0 ? std::numeric_limits<double>::infinity() : one.largest[static_cast<std::size_t>(one.sample)], one.sample});
   }
-  std::stable_sort(out.begin(), out.end(), [](const Own& x, const Own& y) { return x.scale < y.scale; });
+  // Those that are broken even at rest by how much.
+  std::stable_sort(out.begin(), out.end(), [this](const Own& x, const Own& y) {
+    return x.scale != y.scale ? x.scale < y.scale : x.scale == 0 && feasible_.limits[x.limit].at_rest > feasible_.limits[y.limit].at_rest;
+  });
   return out;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <tuple>
 
 namespace pmreport::mechanics {
 namespace {
@@ -75,26 +77,45 @@ FeasibleSpeed feasible_speed(const MotionForces& motion, const MotionLimits& lim
   using Kind = SpeedLimit::Kind;
   FeasibleSpeed out;
   const Eigen::Index samples = std::max(motion.actuator_rate.rows(), motion.joint_rest.rows());
-  const auto hold = [&](Kind kind, const std::vector<double>& bounds, const std::function<double(Eigen::Index, Eigen::Index, double)>& s) {
+  using Along = std::function<double(Eigen::Index, Eigen::Index, double)>;
+  const auto hold = [&](Kind kind, const std::vector<double>& bounds, const Along& s, const Along& at_rest) {
     for (std::size_t i = 0; i < bounds.size(); ++i) {
       if (!std::isfinite(bounds[i])) continue;
+      const auto n = static_cast<Eigen::Index>(i);
       SpeedLimit& l = out.limits.emplace_back(SpeedLimit{kind, static_cast<int>(i), {}});
-      for (Eigen::Index k = 0; k < samples; ++k) l.largest.push_back(s(k, static_cast<Eigen::Index>(i), bounds[i]));
+      double least = infinity;
+      for (Eigen::Index k = 0; k < samples; ++k) {
+        const double here = s(k, n, bounds[i]);
+        l.largest.push_back(here);
+        const double share = here == 0 ? at_rest(k, n, bounds[i]) : 0;
+        if (here < least || (here == 0 && share > l.at_rest)) least = here, l.sample = static_cast<int>(k), l.at_rest = share;
+      }
     }
   };
   const auto& m = motion;
-  hold(Kind::actuator_force, limits.force,
-       [&](auto k, auto i, double limit) { return speed_by_force(m.actuator_rest(k, i), m.actuator_inertia(k, i), limit); });
-  hold(Kind::actuator_speed, limits.speed, [&](auto k, auto i, double limit) { return limit / std::abs(m.actuator_rate(k, i)); });
-  hold(Kind::actuator_power, limits.power, [&](auto k, auto i, double limit) {
-    return speed_by_power(m.actuator_rest(k, i), m.actuator_inertia(k, i), m.actuator_rate(k, i), limit);
-  });
-  const auto joint = [&m](Eigen::Index first, Eigen::Index k, Eigen::Index i, double limit) {
-    const auto part = [&](const Eigen::MatrixXd& of) -> Eigen::Vector3d { return of.row(k).segment<3>(6 * i + first).transpose(); };
-    return speed_by_reaction(part(m.joint_rest), part(m.joint_inertia), limit);
-  };
-  hold(Kind::joint_force, limits.joint_force, [&](auto k, auto i, double limit) { return joint(0, k, i, limit); });
-  hold(Kind::joint_moment, limits.joint_moment, [&](auto k, auto i, double limit) { return joint(3, k, i, limit); });
+  const Along nothing = [](Eigen::Index, Eigen::Index, double) { return 0.0; };  // what stands has neither speed nor power
+  hold(
+      Kind::actuator_force, limits.force,
+      [&](auto k, auto i, double limit) { return speed_by_force(m.actuator_rest(k, i), m.actuator_inertia(k, i), limit); },
+      [&](auto k, auto i, double limit) { return std::abs(m.actuator_rest(k, i)) / limit; });
+  hold(
+      Kind::actuator_speed, limits.speed, [&](auto k, auto i, double limit) { return limit / std::abs(m.actuator_rate(k, i)); }, nothing);
+  hold(
+      Kind::actuator_power, limits.power,
+      [&](auto k, auto i, double limit) {
+        return speed_by_power(m.actuator_rest(k, i), m.actuator_inertia(k, i), m.actuator_rate(k, i), limit);
+      },
+      nothing);
+  for (const auto& [kind, bounds, first] :
+       {std::tuple{Kind::joint_force, &limits.joint_force, Eigen::Index{0}}, {Kind::joint_moment, &limits.joint_moment, Eigen::Index{3}}}) {
+    const auto part = [first = first](const Eigen::MatrixXd& of, Eigen::Index k, Eigen::Index i) -> Eigen::Vector3d {
+      return of.row(k).segment<3>(6 * i + first).transpose();
+    };
+    hold(
+        kind, *bounds,
+        [&](auto k, auto i, double limit) { return speed_by_reaction(part(m.joint_rest, k, i), part(m.joint_inertia, k, i), limit); },
+        [&](auto k, auto i, double limit) { return part(m.joint_rest, k, i).stableNorm() / limit; });
+  }
 
   out.largest.assign(static_cast<std::size_t>(samples), infinity);
   out.scale = infinity;
@@ -106,12 +127,15 @@ FeasibleSpeed feasible_speed(const MotionForces& motion, const MotionLimits& lim
       least = std::isnan(s) || std::isnan(least) ? nan : std::min(least, s);
       if (std::isnan(s)) continue;
       ++numbers;
-      if (s < out.scale) {
-        out.scale = s;
-        out.limit = static_cast<int>(l);
-        out.sample = static_cast<int>(k);
-      }
     }
+  double at_rest = 0;
+  for (std::size_t l = 0; l < out.limits.size(); ++l) {
+    const SpeedLimit& one = out.limits[l];
+    if (one.sample < 0) continue;
+    const double s = one.largest[static_cast<std::size_t>(one.sample)];
+    if (s < out.scale || (s == 0 && one.at_rest > at_rest))
+      out.scale = s, out.limit = static_cast<int>(l), out.sample = one.sample, at_rest = one.at_rest;
+  }
   if (!out.limits.empty() && numbers == 0) out.scale = nan;
   return out;
 }

@@ -21,13 +21,15 @@ struct SpeedLimit {
   enum class Kind { actuator_force, actuator_speed, actuator_power, joint_force, joint_moment } kind;
   int index = 0;  // actuator, or joint
   std::vector<double> largest;
+  int sample = -1;     // where it binds: at the least of `largest`; where that is 0, at the worst of them. -1: nowhere
+  double at_rest = 0;  // of the limit, what is asked for there at rest: how much it is broken where `largest` is 0
 };
 
 struct FeasibleSpeed {
   // Largest s that no limit forbids anywhere; infinite without limits that bind; NaN when there are limits and not one number to hold
   // against them. Samples that are NaN do not count: whoever leaves poses out of a motion must say so beside it.
   double scale = 0;
-  int limit = -1, sample = -1;     // which binds, and where: index into `limits`, the first of several; -1: none
+  int limit = -1, sample = -1;     // which binds, and where: index into `limits`, the first of several, the worst at 0; -1: none
   std::vector<SpeedLimit> limits;  // those that are finite in MotionLimits: by kind in the order above, then by index
   std::vector<double> largest;     // at each sample, over all limits; NaN where any of them is
 };

@@ -26,6 +26,22 @@ bool cut_off(Trajectory& m, std::size_t samples, Place place, Diagnostics& diagn
 
 }  // namespace
 
+namespace {
+
+// No machine is that large; beyond it lengths and their squares lose each other in rounding, and reasons told for it mislead.
+constexpr double beyond_reason = 1e9;  // m, rad
+
+bool in_proportion(double value, const Law& law, double t, Diagnostics& diagnostics) {
+  if (std::abs(value) <= beyond_reason) return true;
+  diagnostics.add(law.place,
+                  fmt::format("{} is {} {} at t = {} s, out of all proportion to a machine", law.name, format_number(value, 6), law.unit,
+                              format_number(t, 6)),
+                  "look at its unit, and at the exponents");
+  return false;
+}
+
+}  // namespace
+
 std::optional<Trajectory> sampled(const Laws& laws, const MotionRequest& request, std::vector<double> times, Diagnostics& diagnostics) {
   Trajectory out = mechanics::sampled(request.prescribed, std::move(times), static_cast<int>(laws.laws.size()));
   bool sound = true;
@@ -33,7 +49,8 @@ std::optional<Trajectory> sampled(const Laws& laws, const MotionRequest& request
     for (Eigen::Index i = 0; i < out.value.rows(); ++i) {
       const Law& law = laws.laws[static_cast<std::size_t>(j)];
       const Jet<double> x(out.value(i, j), out.rate(i, j), out.acceleration(i, j));
-      if (finite(x, out.time[static_cast<std::size_t>(i)], law.place, law.name, diagnostics)) continue;
+      const double t = out.time[static_cast<std::size_t>(i)];
+      if (finite(x, t, law.place, law.name, diagnostics) && in_proportion(x.value, law, t, diagnostics)) continue;
       sound = false;
       break;
     }

@@ -14,7 +14,7 @@ Result acceleration_section(const Analysis& a) {
   add_panel(f, a, "acceleration of the platform", "acceleration", "m/s^2", group(a, analysis::acceleration_columns, "acceleration"));
   add_panel(f, a, "angular acceleration of the platform", "angular acceleration", "rad/s^2",
             group(a, analysis::acceleration_columns, "angular_acceleration"));
-  s.blocks.push_back(f);
+  put(s, std::move(f));
   s.blocks.push_back(
       extremes(a, "Extremes over the motion.",
                columns_in(a, analysis::acceleration_columns, {"actuator_acceleration", "acceleration", "angular_acceleration"})));

@@ -5,6 +5,7 @@
 
 namespace pmreport::section {
 
+const SectionKind& acceleration_kind();
 Result acceleration_section(const Analysis& a);
 
 }  // namespace pmreport::section

@@ -149,7 +149,7 @@ document::Gallery pictures_of_modes(const Analysis& a, const AssemblyModes& foun
   if (n < found.modes.size()) g.caption += fmt::format(" The {} nearest of {} modes are shown.", n, found.modes.size());
   scene::Bounds bounds;
   for (const Shown& s : shown) scene::include(bounds, *found.words[s.word].machine, s.pose);
-  const View view{"isometric", 45 * std::numbers::pi / 180, std::atan(1 / std::numbers::sqrt2)};
+  const View view{"auto", 0, 0};
   scene::Extras extras;
   extras.labels = false;
   std::vector<Stage::Ordered> ordered;

@@ -1,5 +1,10 @@
 #include <reports/section/common/stage.hpp>
 
+#include <core/text/text.hpp>
+#include <core/text/units.hpp>
+#include <reports/scene/diagram/diagram.hpp>
+#include <reports/scene/showing/choose_view.hpp>
+#include <reports/scene/vector/drawing.hpp>
 #include <reports/section/common/words/words.hpp>
 
 #include <fmt/core.h>
@@ -10,11 +15,26 @@
 
 namespace pmreport::section {
 
+View view_at(double azimuth, double elevation) {
+  constexpr double per_degree = std::numbers::pi / 180;
+  return {fmt::format("azimuth {}°, elevation {}°", format_number(azimuth / per_degree, 4), format_number(elevation / per_degree, 4)),
+          azimuth, elevation};
+}
+
+std::string words(const View& view) { return view.name.starts_with("azimuth") ? "view from " + view.name : view.name + " view"; }
+
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
-const View isometric{"isometric", 45 * deg, std::atan(1 / std::numbers::sqrt2)};
-constexpr int framed_poses = 64;  // enough to bound a smooth motion; every pose would cost more than the picture
+constexpr int framed_poses = 64;     // enough to bound a smooth motion; every pose would cost more than the picture
+constexpr float ghost_base = 0.22F;  // opacity
+
+// A round step, 1, 2 or 5 times a power of ten, of which `most` at the utmost go into `span`.
+double round_step(double span, int most) {
+  const double decade = std::pow(10.0, std::floor(std::log10(span / most)));
+  for (const double step : {1.0, 2.0, 5.0})
+    if (span / (step * decade) <= most) return step * decade;
+  return 10 * decade;
+}
 
 }  // namespace
 
@@ -27,65 +47,196 @@ Stage::Stage(const Analysis& a, scene::Studio& studio) : analysis_(a), studio_(s
     const mechanics::Pose pose = a.pose(k);
     scene::include(bounds_, a.machine(), pose);
     path_.push_back(a.machine().origin(pose, a.machine().topology().platform));
+    if (i == n / 4 || i == (3 * n) / 4) looked_at_.push_back(pose);
   }
+  looked_at_.push_back(a.machine().home_pose());
+  for (const Eigen::Vector3d& f : a.scenario().load.force) most_force_ = std::max(most_force_, f.norm());
+  for (const Eigen::Vector3d& m : a.scenario().load.moment) most_moment_ = std::max(most_moment_, m.norm());
+}
+
+const View& Stage::chosen() const {
+  if (!chosen_) {
+    const scene::Direction d = scene::choose_direction(analysis_.machine(), looked_at_, bounds_), usual = scene::isometric();
+    const bool same = d.azimuth == usual.azimuth && d.elevation == usual.elevation;
+    chosen_ = same ? View{"isometric", d.azimuth, d.elevation} : view_at(d.azimuth, d.elevation);
+  }
+  return *chosen_;
+}
+
+View Stage::resolved(const View& view) const { return view.name == "auto" ? chosen() : view; }
+
+// A view along an axis shows a mechanism as drawings do; who looks at it for the first time wants one from aside.
+View Stage::main_view() const {
+  for (const scenario::Section& s : analysis_.scenario().sections)
+    if (const auto* look = dynamic_cast<const Look*>(s.options.get()))
+      for (const View& v : look->views)
+        if (v.name != "front" && v.name != "side" && v.name != "top") return resolved(v);
+  return chosen();
+}
+
+bool Stage::base_in_front(const View& view) const {
+  return scene::base_is_in_front(analysis_.machine(), looked_at_, bounds_, {view.azimuth, view.elevation});
+}
+
+scene::Extras Stage::extras_of(const Look& look) const {
+  scene::Extras extras;
+  extras.labels = look.labels;
+  extras.frames = look.frames;
+  return extras;
+}
+
+// What every picture has: the symbols of the actuators, and a base that is seen through where it hides much of the rest.
+void Stage::complete(scene::Extras& extras, const View& view) const {
+  extras.drives = symbols();
+  if (base_in_front(view)) extras.base_opacity = ghost_base;
+}
+
+std::vector<std::string> Stage::symbols() const {
+  std::vector<std::string> out;
+  for (const Actuator& a : analysis_.machine().topology().actuators) out.push_back(symbol(a.name));
+  return out;
+}
+
+std::string Stage::load_scale() const {
+  const double longest = scene::longest_force * scene::overall_size(analysis_.machine());
+  std::string text;
+  if (most_force_ > 0)
+    text = fmt::format("Forces are drawn to one scale: {} is an arrow as long as {} of the machine.", show(most_force_, "N", 3),
+                       show(longest, "m", 2));
+  if (most_moment_ > 0)
+    text += fmt::format("{}The ring of a moment is largest for {}.", text.empty() ? "" : " ", show(most_moment_, "N*m", 3));
+  return text;
 }
 
 document::Picture Stage::Ordered::wait() {
-  picture.png = png.get();
+  scene::Prints made = prints.get();
+  picture.png = std::move(made.png), picture.pdf = std::move(made.pdf), picture.svg = std::move(made.svg);
   return std::move(picture);
 }
 
 Stage::Ordered Stage::picture(int sample, const View& view, const Look& look, const std::string& id) const {
-  scene::Extras extras;
+  const View from = resolved(view);
+  scene::Extras extras = extras_of(look);
   if (look.path) extras.path = path_;
   if (look.load) {
     extras.force = analysis_.scenario().load.force[static_cast<std::size_t>(sample)];
     extras.moment = analysis_.scenario().load.moment[static_cast<std::size_t>(sample)];
+    extras.full_force = most_force_, extras.full_moment = most_moment_;
+    extras.force_label = "F = " + show(extras.force.norm(), "N", 3);
+    extras.moment_label = "M = " + show(extras.moment.norm(), "N*m", 3);
   }
-  extras.labels = look.labels;
-  extras.frames = look.frames;
-  const scene::Camera camera = scene::frame(bounds_, view.azimuth, view.elevation, static_cast<double>(look.width) / look.height);
-  return {{id, fmt::format("t = {}, {} view", show_time(analysis_, sample), view.name), "", look.width, look.height},
-          studio_.take(scene::build(analysis_.machine(), analysis_.pose(sample), extras), camera,
-                       {look.width, look.height, look.transparent, 2})};
+  return picture(analysis_.machine(), analysis_.pose(sample), extras, bounds_, from, id,
+                 fmt::format("t = {}, {}", show_time(analysis_, sample), words(from)),
+                 {look.width, look.height, look.transparent, 2, look.printed});
+}
+
+Stage::Ordered Stage::overlay(const std::vector<int>& samples, const View& view, const Look& look, const std::string& id) const {
+  const View from = resolved(view);
+  scene::Extras extras = extras_of(look);
+  extras.path = path_;
+  complete(extras, from);
+  int last = analysis_.samples() - 1;
+  while (last > samples.back() && analysis_.outcome(last) == Outcome::unreachable) --last;
+  scene::Overlay overlay{{}, last != samples.back(), times_on_path()};
+  std::vector<std::string> times;
+  for (const int k : samples) {
+    overlay.poses.push_back(analysis_.pose(k));
+    times.push_back(show_time(analysis_, k));
+  }
+  const scene::Camera camera = scene::frame(bounds_, from.azimuth, from.elevation, static_cast<double>(look.width) / look.height);
+  const std::string caption = fmt::format("The motion, {}: poses at t = {}, the first{} solid{}.", words(from), listed(times),
+                                          overlay.returns ? ", to which it returns," : " and the last",
+                                          overlay.marks.empty() ? "" : "; the path of the platform with times along it");
+  return {{id, caption, "", look.width, look.height},
+          studio_.take(scene::build(analysis_.machine(), overlay, extras), camera,
+                       {look.width, look.height, look.transparent, 2, page_width}, id, caption)};
+}
+
+// At round times, each where the platform is then, between samples along a straight line. Where it comes back to a place the times stand
+// together.
+std::vector<scene::Mark> Stage::times_on_path() const {
+  constexpr int most = 8;
+  constexpr double together = 0.04;  // of the overall size
+  const std::vector<double>& t = analysis_.time();
+  if (t.size() < 2) return {};
+  const mechanics::Machine& machine = analysis_.machine();
+  const double step = round_step(t.back() - t.front(), most), near = together * scene::overall_size(machine);
+  std::vector<scene::Mark> marks;
+  for (double k = std::ceil(t.front() / step - 1e-9); k * step <= t.back() + 1e-9 * step; ++k) {
+    const double time = k * step;
+    const auto after = static_cast<std::size_t>(
+        std::clamp<std::ptrdiff_t>(std::lower_bound(t.begin(), t.end(), time) - t.begin(), 1, static_cast<std::ptrdiff_t>(t.size()) - 1));
+    const int a = static_cast<int>(after) - 1, b = static_cast<int>(after);
+    if (analysis_.outcome(a) == Outcome::unreachable || analysis_.outcome(b) == Outcome::unreachable) continue;
+    const auto origin = [&](int sample) { return machine.origin(analysis_.pose(sample), machine.topology().platform); };
+    const double s = std::clamp((time - t[after - 1]) / (t[after] - t[after - 1]), 0.0, 1.0);
+    const Eigen::Vector3d at = origin(a) + s * (origin(b) - origin(a));
+    const auto same = std::ranges::find_if(marks, [&](const scene::Mark& m) { return (m.at - at).norm() < near; });
+    const std::string text = format_number(time, 6);
+    if (same != marks.end())
+      same->text += ", " + text;
+    else
+      marks.push_back({at, text});
+  }
+  if (marks.size() < 2) return {};  // the platform turns on the spot
+  for (scene::Mark& m : marks) m.text += " s";
+  return marks;
 }
 
 Stage::Ordered Stage::picture_at_home(const View& view, const Look& look, const std::string& id) const {
-  scene::Extras extras;
-  extras.labels = look.labels;
-  extras.frames = look.frames;
+  const View from = resolved(view);
   const mechanics::Machine& machine = analysis_.machine();
-  return picture(machine, machine.home_pose(), extras, bounds_, view, id, fmt::format("At home, {} view", view.name),
-                 {look.width, look.height, look.transparent, 2});
+  return picture(machine, machine.home_pose(), extras_of(look), bounds_, from, id, fmt::format("At home, {}", words(from)),
+                 {look.width, look.height, look.transparent, 2, look.printed});
 }
 
 Stage::Ordered Stage::portrait(const std::string& id) const {
-  const scene::Quality quality{1200, 900, false, 2};
+  const scene::Quality quality{1200, 900, false, 2, page_width};
   const mechanics::Machine& machine = analysis_.machine();
+  const View view = main_view();
   scene::Bounds home;
   scene::include(home, machine, machine.home_pose());
-  const scene::Camera camera =
-      scene::frame(home, isometric.azimuth, isometric.elevation, static_cast<double>(quality.width) / quality.height);
-  return {{id, "The mechanism at home, isometric view, joints and frames.", "", quality.width, quality.height},
-          studio_.take(scene::build(machine, machine.home_pose(), {}), camera, quality)};
+  return picture(machine, machine.home_pose(), extras_of({}), home, view, id,
+                 fmt::format("The mechanism at home, {}: joints, frames and actuators, each in the colour of its curves.", words(view)),
+                 quality);
+}
+
+document::Picture Stage::diagram(const std::string& id) const {
+  const scene::Quality quality{1600, 1200, false, 2, page_width};
+  const View view = main_view();
+  const scene::Diagram diagram = scene::diagram(analysis_.machine(), symbols(), view.azimuth, view.elevation, quality);
+  const auto drawing = std::make_shared<scene::Drawing>(scene::draw(diagram.scene, diagram.camera, quality, scene::Manner::plain));
+  const std::string caption = fmt::format("Kinematic diagram, {}: {}.", words(view), scene::legend(analysis_.machine()));
+  return {id,
+          caption,
+          to_png(*drawing),
+          quality.width,
+          quality.height,
+          to_pdf(*drawing),
+          to_svg(*drawing, id, caption),
+          [drawing](cairo_t* cr, double width) { scene::paint(cr, *drawing, width); }};
 }
 
 Stage::Ordered Stage::cover() const {
   const scene::Quality quality{880, 720, false, 2};
-  scene::Extras extras;
+  const View view = main_view();
+  scene::Extras extras = extras_of({});
   extras.labels = extras.frames = false;
   extras.path = path_;
   const bool moves =
       std::ranges::any_of(path_, [&](const Eigen::Vector3d& p) { return (p - path_.front()).norm() > 1e-9 * analysis_.length(); });
-  return picture(analysis_.machine(), analysis_.machine().home_pose(), extras, bounds_, isometric, "cover",
+  return picture(analysis_.machine(), analysis_.machine().home_pose(), extras, bounds_, view, "cover",
                  moves ? "At home, with the path of the platform" : "At home", quality);
 }
 
-Stage::Ordered Stage::picture(const mechanics::Machine& machine, const mechanics::Pose& pose, const scene::Extras& extras,
-                              const scene::Bounds& bounds, const View& view, const std::string& id, const std::string& caption,
+Stage::Ordered Stage::picture(const mechanics::Machine& machine, const mechanics::Pose& pose, scene::Extras extras,
+                              const scene::Bounds& bounds, const View& asked, const std::string& id, const std::string& caption,
                               const scene::Quality& quality) const {
+  const View view = resolved(asked);
+  complete(extras, view);
   const scene::Camera camera = scene::frame(bounds, view.azimuth, view.elevation, static_cast<double>(quality.width) / quality.height);
-  return {{id, caption, "", quality.width, quality.height}, studio_.take(scene::build(machine, pose, extras), camera, quality)};
+  return {{id, caption, "", quality.width, quality.height},
+          studio_.take(scene::build(machine, pose, extras), camera, quality, id, caption)};
 }
 
 }  // namespace pmreport::section

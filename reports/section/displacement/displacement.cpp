@@ -1,5 +1,6 @@
 // Section `displacement`.
 #include <core/mechanics/machine/joint_words.hpp>
+#include <reports/figure/layout/offsets.hpp>
 #include <reports/section/common/kinematic_plots.hpp>
 #include <reports/section/common/words/limits.hpp>
 #include <reports/section/common/words/words.hpp>
@@ -74,6 +75,8 @@ Result displacement_section(const Analysis& a) {
                    2,
                    {}};
   add_panel(f, a, "position", "position", "m", group(a, analysis::displacement_columns, "coordinate", "m"));
+  for (figure::Panel& p : f.panels)
+    p = figure::set_off(p, figure::low_share);  // where the origin is, matters less than how the platform moves
   add_panel(f, a, "orientation", "angle", "rad", group(a, analysis::displacement_columns, "coordinate", "rad"));
   add_actuators(f, a, analysis::displacement_columns, OfMotion::value, linear_drives(a) ? "actuator length" : "actuator value", "");
   for (const std::string name : {"derived", "reading"})
@@ -84,7 +87,7 @@ Result displacement_section(const Analysis& a) {
                                 : "value",
                 unit == "1" ? "" : unit, group(a, analysis::displacement_columns, name, unit));
   add_joints(f, a);
-  s.blocks.push_back(f);
+  put(s, std::move(f));
   s.blocks.push_back(extremes(
       a, "Extremes over the motion.",
       columns_in(a, analysis::displacement_columns, {"coordinate", "derived", "actuator", "reading", "joint_angle", "joint_travel"})));

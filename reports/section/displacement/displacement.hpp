@@ -5,6 +5,7 @@
 
 namespace pmreport::section {
 
+const SectionKind& displacement_kind();
 Result displacement_section(const Analysis& a);
 
 }  // namespace pmreport::section

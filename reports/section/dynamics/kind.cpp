@@ -1,7 +1,6 @@
 #include <reports/section/dynamics/dynamics.hpp>
 
 #include <core/scenario/section/keys.hpp>
-#include <reports/section/common/kinematic_plots.hpp>
 
 namespace pmreport::section {
 
@@ -26,14 +25,6 @@ std::vector<scenario::Quantity> quantities(const scenario::Options*) {
           {"dynamics.energy_drift", "J", "energy that a motion by forces loses or gains by integration", false}};
 }
 
-std::string glance(const Analysis& a, figure::Figure& f) {
-  for (const std::string unit : {"N", "N*m"}) {
-    const std::string kind = unit == "N" ? "force" : "torque";
-    add_panel(f, a, kind + "s in motion", kind, unit, group(a, analysis::dynamics_columns, "dynamic_force", unit));
-  }
-  return "actuator forces in motion";
-}
-
 }  // namespace
 
 const SectionKind& dynamics_kind() {
@@ -47,8 +38,7 @@ const SectionKind& dynamics_kind() {
        .columns = analysis::dynamics_columns,
        .quantities = quantities,
        .make_options = scenario::plain_options<DynamicsOptions>},
-      [](const Context& c, const scenario::Section& s) { return dynamics_section(c.analysis, options_of<DynamicsOptions>(s)); },
-      glance};
+      [](const Context& c, const scenario::Section& s) { return dynamics_section(c.analysis, options_of<DynamicsOptions>(s)); }};
   return kind;
 }
 

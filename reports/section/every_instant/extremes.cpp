@@ -2,6 +2,7 @@
 #include <core/analysis/columns.hpp>
 #include <core/text/units.hpp>
 #include <reports/section/common/words/brackets.hpp>
+#include <reports/section/common/words/noise.hpp>
 #include <reports/section/common/words/words.hpp>
 #include <reports/section/every_instant/every_instant.hpp>
 
@@ -102,7 +103,7 @@ document::Table table_of_extremes(const Analysis& a, const std::vector<ExtremeSh
     const double size = std::max(std::abs(e.extreme->least.low), std::abs(e.extreme->largest.high));
     const DisplayUnit unit = display_unit(e.column.unit, std::isfinite(e.range.high) ? std::max(size, std::abs(e.range.high)) : size);
     const auto number = [&](double si, int digits) { return typeset(format_number(si * unit.per_si, digits)); };
-    const double seen = r.largest ? samples.high : samples.low;
+    const double end = r.largest ? samples.high : samples.low, seen = std::abs(end) < noise(a, e.column.unit, {e.column}) ? 0 : end;
     table.rows.push_back({fmt::format("{} [{}]", e.column.name, unit.label), r.largest ? "largest" : "least",
                           std::isfinite(r.limit()) ? number(r.limit(), 5) : "", std::isfinite(seen) ? number(seen, 7) : "",
                           bracket_number(r.bounds(), unit.per_si), format_number(r.at(), 5)});

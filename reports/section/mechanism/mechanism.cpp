@@ -1,6 +1,7 @@
 // Section `mechanism`: what it is, its parameters, joints and bodies, and its mobility by count and by rank.
 #include <core/mechanics/machine/joint_words.hpp>
 #include <core/mechanics/mobility/mobility_count.hpp>
+#include <reports/section/common/inputs.hpp>
 #include <reports/section/common/words/remarks.hpp>
 #include <reports/section/common/words/words.hpp>
 #include <reports/section/mechanism/mechanism.hpp>
@@ -25,19 +26,28 @@ std::string value_of(const mechanics::ParameterInfo& p, const std::vector<double
   return out.empty() ? "–" : out;
 }
 
-Table parameters(const Analysis& a) {
-  const mechanics::Machine& m = a.machine();
-  Table t{"Parameters; a dot marks those that the scenario sets.",
-          {"", "parameter", "meaning", "value", "unit"},
-          {false, false, false, true, false},
+// `inputs` begin with the parameters.
+Table parameters(const mechanics::Machine& m, const std::vector<document::Input>& inputs) {
+  Table t{"Parameters, each from a line of the scenario or the mechanism's default.",
+          {"parameter", "meaning", "value", "unit", "from"},
+          {false, false, true, false, false},
           {}};
   for (std::size_t i = 0; i < m.info().parameters.size(); ++i) {
     const mechanics::ParameterInfo& p = m.info().parameters[i];
-    const auto& set = a.scenario().parameters_set;
-    const std::optional<Unit> unit = parse_unit(p.display);
-    t.rows.push_back({std::find(set.begin(), set.end(), i) != set.end() ? "•" : "", p.name, p.title, value_of(p, m.values()[i]),
-                      typographic(p.display)});
+    const document::Input& in = inputs[i];
+    t.rows.push_back({p.name, p.title, value_of(p, m.values()[i]), typographic(p.display),
+                      in.line > 0               ? fmt::format("line {}", in.line)
+                      : in.source == "scenario" ? in.source
+                                                : "default"});
   }
+  return t;
+}
+
+// What the scenario says besides, as it says it.
+Table said(const std::vector<document::Input>& inputs, std::size_t parameters) {
+  Table t{"Motion, load, drives and limits as the scenario has them.", {"input", "as written", "line"}, {false, false, true}, {}};
+  for (std::size_t i = parameters; i < inputs.size(); ++i)
+    t.rows.push_back({inputs[i].name, inputs[i].text, std::to_string(inputs[i].line)});
   return t;
 }
 
@@ -107,8 +117,12 @@ Result mechanism_section(const Analysis& a, const Stage& stage) {
   document::Section s{"mechanism", "mechanism", "Mechanism", {}};
   Stage::Ordered portrait = stage.portrait("mechanism");
   s.blocks.push_back(Paragraph{Paragraph::Tone::plain, m.info().title + ". Source: " + m.info().source + "."});
+  document::Picture diagram = stage.diagram("diagram");
   s.blocks.push_back(document::Gallery{{portrait.wait()}, ""});
-  s.blocks.push_back(parameters(a));
+  s.blocks.push_back(document::Gallery{{std::move(diagram)}, ""});
+  const std::vector<document::Input> inputs = inputs_of(a);
+  s.blocks.push_back(parameters(m, inputs));
+  if (Table t = said(inputs, m.info().parameters.size()); !t.rows.empty()) s.blocks.push_back(std::move(t));
   s.blocks.push_back(joints(m));
   s.blocks.push_back(bodies(m));
   for (const std::string& text : remark_sentences(m)) s.blocks.push_back(Paragraph{Paragraph::Tone::warning, text});

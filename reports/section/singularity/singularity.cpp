@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace pmreport::section {
 
@@ -182,7 +181,6 @@ document::Proof proof_of(const std::vector<ExaminedPose>& poses, double length) 
 
 // The pose with its escape, framed so that the whole axis shows.
 Stage::Ordered portrait(const mechanics::Machine& m, const ExaminedPose& p, double length, const Stage& stage, std::size_t number) {
-  static const View isometric{"isometric", std::numbers::pi / 4, std::atan(1 / std::numbers::sqrt2)};
   const mechanics::Pose pose = m.pose({p.at.coordinates.data(), static_cast<std::size_t>(p.at.coordinates.size())});
   const mechanics::Screw e = escape_screw(m.topology(), p, length);
   scene::Extras extras;
@@ -194,7 +192,7 @@ Stage::Ordered portrait(const mechanics::Machine& m, const ExaminedPose& p, doub
   scene::include(bounds, m, pose, extras.screws[0]);
   const std::string caption = p.at.freedoms.platform > 0 ? p.name + ": with the actuators locked the platform escapes by the twist $."
                                                          : p.name + ": the twist $ that the actuators hold least.";
-  return stage.picture(m, pose, extras, bounds, isometric, fmt::format("singularity-{}", number), caption, {800, 600, false, 2});
+  return stage.picture(m, pose, extras, bounds, {"auto", 0, 0}, fmt::format("singularity-{}", number), caption, {800, 600, false, 2});
 }
 
 }  // namespace

@@ -15,15 +15,15 @@ namespace {
 
 constexpr double deg = std::numbers::pi / 180;
 constexpr int smallest_picture = 64, largest_picture = 8000;  // [px]; drawn at twice the size, and 16384 is the renderer's end
+constexpr int most_overlaid = 12;
 constexpr std::size_t most_times = 100, most_views = 20;
 const std::vector<std::string> grounds{"white", "transparent"};
 
 // The camera stands in front at azimuth 0, looking along +Y, and on the right at 90°, looking along -X.
 const std::vector<View>& named_views() {
   static const std::vector<View> all{
-      {"isometric", 45 * deg, 35.264389682754654 * deg},  // atan(1/√2): the three axes look equally long
-      {"front", 0, 0},
-      {"side", 90 * deg, 0},
+      {"auto", 0, 0},       {"isometric", 45 * deg, 35.264389682754654 * deg},  // atan(1/√2): the three axes look equally long
+      {"front", 0, 0},      {"side", 90 * deg, 0},
       {"top", 0, 90 * deg},
   };
   return all;
@@ -35,7 +35,7 @@ std::optional<View> read_view(const scenario::Value& value, const scenario::Read
     const scenario::Entry *azimuth = table.need("azimuth", "{azimuth = \"30 deg\", elevation = \"20 deg\"}"),
                           *elevation = table.find("elevation");
     table.finish();
-    View view{"", 0, 0};
+    View view = view_at(0, 0);
     for (const auto& [entry, angle] : {std::pair{azimuth, &view.azimuth}, {elevation, &view.elevation}}) {
       if (entry == nullptr) continue;
       const auto given = reader.quantity(entry->value, {0, 0, 0, 1});
@@ -47,8 +47,7 @@ std::optional<View> read_view(const scenario::Value& value, const scenario::Read
                                                                    format_number(view.elevation / deg, 6)));
       return std::nullopt;
     }
-    view.name = fmt::format("azimuth {}°, elevation {}°", format_number(view.azimuth / deg, 4), format_number(view.elevation / deg, 4));
-    return view;
+    return view_at(view.azimuth, view.elevation);
   }
   std::vector<std::string> names;
   for (const View& v : named_views()) names.push_back(v.name);
@@ -89,6 +88,14 @@ void read_size(const scenario::Entry& e, const scenario::Reading& r, SnapshotsOp
         (i == 0 ? options.width : options.height) = static_cast<int>(*pixels);
 }
 
+void read_overlay(const scenario::Entry& e, const scenario::Reading& r, SnapshotsOptions& options) {
+  const auto count = r.reader.integer(e.value, 0, most_overlaid);
+  if (!count) return;
+  if (*count == 1)
+    r.reader.diagnostics().add(e.value.place, fmt::format("expected 2 to {} poses, or 0 for no such picture, seen 1", most_overlaid));
+  options.overlay = static_cast<int>(*count);
+}
+
 void read_ground(const scenario::Entry& e, const scenario::Reading& r, SnapshotsOptions& options) {
   if (const auto ground = r.reader.word(e.value, grounds, "the grounds")) options.transparent = *ground == 1;
 }
@@ -107,7 +114,10 @@ std::vector<scenario::Key> all_keys() {
                      Shape::table({keys::within("azimuth", angle, "of the camera"), keys::within("elevation", angle, "", "0°")})});
   return {keys::of<O>("times", Shape::list(1, most_times, Shape::quantity(Dimension{0, 0, 1, 0})), "of the motion", "its beginning",
                       read_times),
-          keys::of<O>("views", Shape::list(1, most_views, view), "where the camera stands", "`\"isometric\"`", read_views),
+          keys::of<O>("views", Shape::list(1, most_views, view), "where the camera stands; `auto`: isometric, or where more is seen",
+                      "`\"auto\"`", read_views),
+          keys::of<O>("overlay", Shape::whole(0, most_overlaid), "poses laid over one another in one more picture; `0` for none",
+                      "`5`, in the first section of snapshots of a motion", read_overlay),
           keys::of<O>("size", Shape::list(2, 2, Shape::whole(smallest_picture, largest_picture)), "width and height in pixels",
                       "`[1600, 1200]`", read_size),
           keys::of<O>("ground", Shape::word(grounds), "behind the mechanism", "`\"white\"`", read_ground),

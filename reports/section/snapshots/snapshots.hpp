@@ -4,13 +4,14 @@
 #include <reports/section/common/stage.hpp>
 #include <reports/section/kind.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace pmreport::section {
 
 struct SnapshotsOptions : scenario::Options, Look {
-  std::vector<double> times;  // [s]
-  std::vector<View> views;
+  std::vector<double> times;   // [s]
+  std::optional<int> overlay;  // poses laid over one another in one more picture; 0: no such picture. None: by the motion
 };
 
 // `number`: of the section among its kind.

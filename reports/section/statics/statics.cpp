@@ -10,17 +10,27 @@ namespace pmreport::section {
 
 using document::Paragraph;
 
+namespace {
+
+// "F", "τ" or "F, τ": what the actuators give.
+std::string efforts(const Analysis& a) {
+  bool linear = false, rotary = false;
+  for (const Actuator& x : a.machine().topology().actuators) (x.sense() == Sense::linear ? linear : rotary) = true;
+  return linear && rotary ? "F, τ" : linear ? "F" : "τ";
+}
+
+}  // namespace
+
 Result statics_section(const Analysis& a) {
   document::Section s{"statics", "statics", "Statics", {}};
   const Eigen::Vector3d& g = a.scenario().load.gravity;
   for (const std::string& line : singularity_sentences(a)) s.blocks.push_back(Paragraph{Paragraph::Tone::warning, line});
   s.blocks.push_back(Paragraph{
       Paragraph::Tone::plain,
-      "Actuator forces and constraint wrenches that hold the platform against its load at rest, by virtual work: (F; Fτ) = −G⁻ᵀ(force; "
-      "moment). "
-      "A positive force of an actuator acts to extend it, a positive torque to turn it onwards. A constraint wrench is what the limbs "
-      "exert "
-      "on the platform."});
+      fmt::format("Actuator forces and constraint wrenches that hold the platform against its load at rest, by virtual work: ({}; Fτ) = "
+                  "−G⁻ᵀ(force; moment). A positive force F of an actuator acts to extend it, a positive torque τ to turn it onwards. A "
+                  "constraint wrench Fτ is what the limbs exert on the platform.",
+                  efforts(a))});
   s.blocks.push_back(Paragraph{Paragraph::Tone::plain,
                                g.isZero() ? "The scenario gives no gravity: all bodies are taken as weightless."
                                           : fmt::format("The weights of all bodies are included, gravity ({}, {}, {}) m/s². With heavy "
@@ -32,9 +42,9 @@ Result statics_section(const Analysis& a) {
     for (const std::string unit : {"N", "N*m"}) {
       const std::vector<Trace> curves = group(a, analysis::statics_columns, name, unit);
       const std::string kind = unit == "N" ? "force" : name == "constraint" ? "moment" : "torque";
-      if (!curves.empty()) f.panels.push_back(panel(a, title + " " + kind, kind, unit, curves));
+      add_panel(f, a, title + " " + kind, kind, unit, curves);
     }
-  s.blocks.push_back(f);
+  put(s, std::move(f));
   s.blocks.push_back(extremes(a, "Extremes over the motion.", analysis::statics_columns(a.machine().topology())));
   s.blocks.push_back(
       proof(a, {{Measure::statics, "Closed form equals the generic model",

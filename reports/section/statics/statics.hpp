@@ -5,6 +5,7 @@
 
 namespace pmreport::section {
 
+const SectionKind& statics_kind();
 Result statics_section(const Analysis& a);
 
 }  // namespace pmreport::section

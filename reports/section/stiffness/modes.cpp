@@ -9,7 +9,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace pmreport::section {
 
@@ -77,7 +76,6 @@ std::vector<scene::Polyline> at_rest(const mechanics::Machine& m, const mechanic
 
 Stage::Ordered mode_picture(const Analysis& a, const StiffnessRequest& request, const ElasticView& view, const Stage& stage,
                             std::size_t number) {
-  static const View isometric{"isometric", std::numbers::pi / 4, std::atan(1 / std::numbers::sqrt2)};
   const mechanics::Machine& m = a.machine();
   const mechanics::Pose pose = m.pose({view.q.data(), static_cast<std::size_t>(view.q.size())});
   const mechanics::WholeSystem system(mechanics::SpringPlan(m), state_at_rest(m, view.q));
@@ -114,7 +112,7 @@ Stage::Ordered mode_picture(const Analysis& a, const StiffnessRequest& request, 
   extras.frames = false;
   extras.labels = false;
   extras.lines = at_rest(m, pose);
-  return stage.picture(m, swung, extras, bounds, isometric, fmt::format("mode-{}", number),
+  return stage.picture(m, swung, extras, bounds, {"auto", 0, 0}, fmt::format("mode-{}", number),
                        fmt::format("{}: lowest natural vibration, {} Hz, at the end of its swing, much enlarged.", view.name,
                                    typeset(format_number(frequency, 4))),
                        {800, 600, false, 2});

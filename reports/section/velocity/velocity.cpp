@@ -73,7 +73,7 @@ Result velocity_section(const Analysis& a) {
   add_panel(f, a, "angular velocity of the platform", "angular velocity", "rad/s",
             group(a, analysis::velocity_columns, "angular_velocity"));
   add_panel(f, a, "condition number of G", "condition number", "", {{column_of(OfMachine::condition), ""}});
-  s.blocks.push_back(f);
+  put(s, std::move(f));
   s.blocks.push_back(
       extremes(a, "Extremes over the motion.",
                columns_in(a, analysis::velocity_columns, {"actuator_rate", "velocity", "angular_velocity", "det_G", "condition"})));

@@ -5,6 +5,7 @@
 
 namespace pmreport::section {
 
+const SectionKind& velocity_kind();
 Result velocity_section(const Analysis& a);
 
 }  // namespace pmreport::section

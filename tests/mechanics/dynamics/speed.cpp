@@ -216,6 +216,22 @@ TEST_CASE("the least over all limits and samples is the scale, and names its lim
   CHECK(broken.sample == 2);
 }
 
+TEST_CASE("of limits that are broken even at rest the one that is broken by most binds, where it is worst") {
+  Motion m;
+  m.forces.actuator_rest.col(0) << 3, 8, 5;
+  m.forces.actuator_rest.col(1) << 9, 1, 1;
+  m.limits.force = {2, infinity};
+  FeasibleSpeed f = m.feasible();
+  CHECK(f.scale == 0);
+  CHECK(f.sample == 1);  // four times the limit, not the first that is above it
+  CHECK(f.limits[0].sample == 1);
+  CHECK(f.limits[0].at_rest == Approx(4).epsilon(exact));
+  m.limits.force = {2, 1};
+  f = m.feasible();
+  CHECK(f.limit == 1);  // nine times
+  CHECK(f.sample == 0);
+}
+
 TEST_CASE("a sample without numbers does not count, and a motion of none has no speed") {
   Motion m;
   m.limits.force = {34, infinity};

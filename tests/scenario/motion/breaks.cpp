@@ -104,6 +104,7 @@ TEST_CASE("a motion without a bound between its samples is refused with the time
   CHECK_THAT(tell("1 mm * sqrt(abs(t/1 s - 1.05))"), Contains("a.toml:9:5: error: x has no finite rate at t = 1.05 s"));
   CHECK_THAT(tell("1 mm/(t/1 s - 1.05)^2"), Contains("x has no finite value at t = 1.05 s"));
   CHECK_THAT(tell("1 mm * (abs(t/1 s - 1.05))^1.5"), Contains("x has no finite acceleration at t = 1.05 s"));
+  CHECK_THAT(tell("1e300 m"), Contains("a.toml:9:5: error: x is 1e300 m at t = 0 s, out of all proportion to a machine"));
   CHECK_THAT(told(moving("x_rate = \"1 mm/s * tan(t/1 s)\"", "2 s", 20)), Contains("x has no finite rate at t = 1.57"));
   CHECK_THAT(tell("1 mm * sin(1 s/(t - 1.05 s))"), Contains("x wavers or switches more often over 2 s than can be looked at"));
 }

@@ -17,13 +17,6 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-// The row of parameter `name`, whose cells before it hold the dot.
-Row parameter(const document::Section& s, const std::string& name) {
-  for (const Row& row : table_of(s, "Parameters").rows)
-    if (row.at(1) == name) return row;
-  return {};
-}
-
 // The gantry, whose trolley has a mass and whose platform has none.
 class WithoutMass : public gantry::Gantry {
  public:
@@ -37,14 +30,21 @@ class WithoutMass : public gantry::Gantry {
 
 }  // namespace
 
-TEST_CASE("a dot marks the parameters that the scenario sets, each in the unit that a reader expects") {
+TEST_CASE("every parameter has its value in the unit that a reader expects, and the line that sets it") {
   const auto r = of_stage(", cone = \"30 deg\"", "x = \"0 mm\"\nphi = \"0 deg\"\n", asking_for({"mechanism"}));
   const document::Section& s = section_of(r, "mechanism");
-  CHECK(parameter(s, "arm") == Row{"•", "arm", "length r of the feeler", "200", "mm"});
-  CHECK(parameter(s, "cone") == Row{"•", "cone", "largest turn", "30", "°"});
-  CHECK(parameter(s, "stroke_min") == Row{"", "stroke_min", "lower end of the slide", "−500", "mm"});
-  CHECK(parameter(s, "ratio").at(3) == "2");
-  CHECK(parameter(s, "dependent").at(3) == "y");
+  const auto parameter = [&](const std::string& name) { return row_of(s, "Parameters", name); };
+  const Row arm = parameter("arm");
+  CHECK(Row(arm.begin(), arm.end() - 1) == Row{"arm", "length r of the feeler", "200", "mm"});
+  CHECK_THAT(arm.back(), Catch::StartsWith("line "));
+  CHECK(parameter("cone").back() == arm.back());  // both stand in one line
+  CHECK(parameter("cone").at(3) == "°");
+  CHECK(parameter("stroke_min") == Row{"stroke_min", "lower end of the slide", "−500", "mm", "default"});
+  CHECK(parameter("ratio").at(2) == "2");
+  CHECK(parameter("dependent").at(2) == "y");
+  const Row x = row_of(s, "Motion, load", "motion.x");
+  CHECK(x.at(1) == "0 mm");
+  CHECK(std::stoi(x.at(2)) > 0);
   CHECK_THAT(text_of(s), Contains("Stage: slide and turntable. Source: made for the tests."));
 }
 
@@ -76,13 +76,25 @@ TEST_CASE("the mobility of the gantry is that of its count and its four self-str
   check_proofs(s, 3);
 }
 
-TEST_CASE("a mechanism is shown at home, in one picture") {
+TEST_CASE("a mechanism is shown at home, in one picture, and as a line drawing, both also as vectors") {
   const auto r = of_gantry(asking_for({"mechanism"}));
   const auto galleries = report_words::pointers<document::Gallery>(section_of(r, "mechanism"));
-  REQUIRE(galleries.size() == 1);
-  REQUIRE(galleries[0]->pictures.size() == 1);
+  REQUIRE(galleries.size() == 2);
+  for (const document::Gallery* g : galleries) {
+    REQUIRE(g->pictures.size() == 1);
+    CHECK(g->pictures[0].png.starts_with("\x89PNG"));
+    CHECK(g->pictures[0].pdf.starts_with("%PDF"));
+    CHECK(g->pictures[0].svg.starts_with("<svg"));
+  }
   CHECK(galleries[0]->pictures[0].id == "mechanism");
-  CHECK(galleries[0]->pictures[0].png.starts_with("\x89PNG"));
+  CHECK_FALSE(galleries[0]->pictures[0].as_lines);
+  const document::Picture& diagram = galleries[1]->pictures[0];
+  CHECK(diagram.id == "diagram");
+  CHECK(diagram.as_lines);
+  // The gantry slides, and nothing else: what it has not is not explained.
+  CHECK(diagram.caption.find("boxes are prismatic joints") != std::string::npos);
+  CHECK(diagram.caption.find("spherical") == std::string::npos);
+  CHECK(diagram.caption.find("axes") == std::string::npos);
 }
 
 TEST_CASE("data that look odd are warned of on the mechanism's page, and among the findings where a number depends on them") {

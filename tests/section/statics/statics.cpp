@@ -30,9 +30,22 @@ TEST_CASE("the drive bears the load along the rails, the constraints all else, e
   }
   CHECK(row_of(s, "Extremes", "q_force")[2] == "−14");
   CHECK(row_of(s, "Extremes", "q_force")[3] == "2 s");
-  CHECK(panels_of(s) == std::vector<std::string>{"actuator force", "constraint force", "constraint moment"});
+  CHECK(panels_of(s) == std::vector<std::string>{"actuator force"});
+  CHECK_THAT(report_words::pointers<figure::Figure>(s).at(0)->caption,
+             Contains("Constant, so not drawn: constraint force, force_y = −4 N, force_z = −5 N.") &&
+                 Contains("Constant, so not drawn: constraint moment, couple_x = −1 N·m, couple_y = −2 N·m, couple_z = −3 N·m."));
   CHECK(series_of(s, "actuator force", "F").y.back() == Approx(-14));
   check_proofs(s);
+}
+
+TEST_CASE("numbers of one kind in a table of extremes have as many decimals, and each unit its own") {
+  const auto r =
+      of_gantry("[load]\nforce = [\"7 N * t / 1 s\", \"4 N\", \"-105.25 N\"]\nmoment = [\"0 N*m\", \"2 N*m\", \"3 N*m\"]\n" + asked);
+  const document::Section& s = section_of(r, "statics");
+  CHECK(row_of(s, "Extremes", "force_y")[2] == "−4.00");
+  CHECK(row_of(s, "Extremes", "force_z")[4] == "105.25");
+  CHECK(row_of(s, "Extremes", "couple_y")[2] == "−2");
+  CHECK(row_of(s, "Extremes", "couple_x")[2] == "0");
 }
 
 TEST_CASE("bodies are weightless without gravity, and the drive lifts all of them with it") {

@@ -102,7 +102,7 @@ std::vector<document::Check> motion_demands(const Analysis& a, const std::vector
   const auto demand = [&](const std::string& name, int broken, const std::string& measured, const std::vector<std::string>& sentences) {
     document::Check c;
     c.name = name, c.measured = measured, c.limit = "none", c.value = broken, c.passed = broken == 0;
-    if (!c.passed) c.message = sentences.front();
+    if (!c.passed) c.message = first_and_number(sentences);
     out.push_back(c);
   };
   const int hidden = static_cast<int>(unseen.size()), jumping = count_jumps(a);

@@ -58,6 +58,30 @@ std::string symbol(std::string_view name) {
   return out;
 }
 
+namespace {
+
+// The symbol behind its first letter: a Greek one takes two bytes, the first of them 0xCE or 0xCF.
+std::string index_of(const std::string& symbol) {
+  const bool greek = symbol.size() > 1 && (symbol[0] == '\xCE' || symbol[0] == '\xCF');
+  return symbol.substr(std::min<std::size_t>(symbol.size(), greek ? 2 : 1));
+}
+
+const char* letter_of(Effort what, const Actuator& x) { return what == Effort::power ? "P" : x.sense() == Sense::linear ? "F" : "τ"; }
+
+}  // namespace
+
+std::string with_dots(const std::string& symbol, int dots) {
+  const std::string index = index_of(symbol), mark = dots == 1 ? "\u0307" : dots == 2 ? "\u0308" : "";
+  return symbol.substr(0, symbol.size() - index.size()) + mark + index;
+}
+
+std::string effort_symbol(const Topology& t, const Actuator& actuator, Effort what) {
+  const auto shortest = [what](const Actuator& x) { return letter_of(what, x) + index_of(symbol(x.name)); };
+  const auto same = [&](const Actuator& other) { return other.name != actuator.name && shortest(other) == shortest(actuator); };
+  if (std::none_of(t.actuators.begin(), t.actuators.end(), same)) return shortest(actuator);
+  return fmt::format("{} {}", letter_of(what, actuator), symbol(actuator.name));
+}
+
 std::string typeset(std::string number) {
   for (std::size_t at = 0; (at = number.find('-', at)) != std::string::npos; at += 3) number.replace(at, 1, "−");
   return number;

@@ -21,6 +21,12 @@ Apart show_apart(double value, double beside, std::string_view unit, int digits 
 std::string show_time(const Analysis& a, int sample);
 // "l₁", "α", "ρ₃": a name of the program as a symbol of the field.
 std::string symbol(std::string_view name);
+// A symbol with a dot or two over its first letter, for its rate or acceleration: "l̇₁".
+std::string with_dots(const std::string& symbol, int dots);
+// "F₃" for the force of l3 or rho3, "τ₁" for the torque of theta1, "Fx" for the force of lx, "P₃" for a power; where that would name two of
+// them, "F l3".
+enum class Effort { force, power };
+std::string effort_symbol(const Topology& t, const Actuator& actuator, Effort what = Effort::force);
 // A number with a true minus sign, for tables and sentences.
 std::string typeset(std::string number);
 // "kg·m²", "°": a unit as it is set in tables.
