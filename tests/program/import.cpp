@@ -230,6 +230,39 @@ TEST_CASE("towers of a Marlin printer are where Marlin has them, trims and sums 
   CHECK_THAT(made.out, Contains("# not taken over: Configuration.h:5: DELTA_SEGMENTS_PER_SECOND 160\n") && !Contains("DELTA_EFFECTOR 19"));
 }
 
+TEST_CASE("sums of Marlin's definitions are what C makes of them") {
+  // 505 / 2 is 252 of whole numbers, -7 / 2 is -3, and 252.5 where one of them is none.
+  struct Case {
+    const char *text, *radius;
+  };
+  const Bench bench;
+  for (const Case& c : {Case{"505/2", "252"}, Case{"505/2.0", "252.5"}, Case{"505.0f/2", "252.5"}, Case{"5e2/8", "62.5"},
+                        Case{"(100+101)/2*2", "200"}, Case{"250+-7/2", "247"}, Case{"SUM/2", "100"}, Case{"300-NEGATIVE", "305"}}) {
+    const Result made = bench.import("a.h", std::string("#define DELTA\n#define DELTA_HEIGHT 300\n#define DELTA_DIAGONAL_ROD 400\n") +
+                                                "#define SUM (100 + 101)\n#define NEGATIVE -5\n#define DELTA_RADIUS " + c.text + "\n");
+    CAPTURE(c.text, made.err);
+    REQUIRE(made.status == 0);
+    // What is written is R + r, and r.
+    const auto number_behind = [&](const std::string& key) {
+      const std::size_t at = made.out.find("\n" + key + " = \"");
+      REQUIRE(at != std::string::npos);
+      return std::stod(made.out.substr(at + key.size() + 5));
+    };
+    CHECK(number_behind("tower_radius") - number_behind("platform_radius") == Approx(std::stod(c.radius)).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("files that a printer.cfg includes are told one by one, with their lines") {
+  const Bench bench;
+  const Result made = bench.import("printer.cfg", "[include towers.cfg]\n" + std::string(kossel) + "[include macros/*.cfg] # more\n");
+  REQUIRE(made.status == 0);
+  CHECK_THAT(made.out, Contains("# not taken over: printer.cfg:1: [include towers.cfg], which was not read") &&
+                           Contains("# not taken over: printer.cfg:29: [include macros/*.cfg], which was not read"));
+  CHECK_THAT(
+      bench.import("a.cfg", "[include towers.cfg]\n").err,
+      StartsWith("a.cfg: error: expected kinematics in [printer], which is not there") && Contains("files that it includes are not read"));
+}
+
 TEST_CASE("towers of LinuxCNC's lineardeltakins begin at Y") {
   const Bench bench;
   const Result made = bench.import("delta.hal", "loadrt lineardeltakins\nsetp lineardeltakins.R 130\nsetp lineardeltakins.L 280\n");
@@ -286,6 +319,17 @@ TEST_CASE("what is broken in settings is told with file and line") {
         Case{"a.cfg", delta + "arm_length: 250\nposition_endstop: 200\n[stepper_b]\nangle: 210.1\n",
              "a.cfg:2:1: error: what the settings say is no machine: linear-delta refuses"},
         Case{"a.cfg", "  on its own\n", "a.cfg:1:3: error: expected [SECTION] first"},
+        Case{"a.cfg", delta + "  arm_length: 250\n", "a.cfg:5:3: error: expected a setting of [stepper_a], seen a line that goes on"},
+        Case{"a.cfg", delta + "arm_length: 250\n#*# [stepper_a]\n#*#  angle = 3\n",
+             "a.cfg:7:1: error: expected [SECTION] first, seen a line that goes on"},
+        Case{"a.ini", "[KINS]\nKINEMATICS = genhexkins\n[JOINT_0]\nMAX_VELOCITY = 1e6\n",
+             "a.ini:4:1: error: expected the MAX_VELOCITY of a joint of at most 100 m/s, seen 1000 m/s"},
+        Case{"a.h",
+             defines + "#if A\n#define OFFSET 200\n#else\n#define OFFSET 150\n#endif\n#define DELTA_RADIUS (OFFSET - 20)\n" +
+                 "#define DELTA_DIAGONAL_ROD 300\n",
+             "a.h:6:1: error: OFFSET is defined a second time, as something else than in a.h:4"},
+        Case{"a.h", defines + "#define OFFSET 10+5\n#define DELTA_RADIUS (200-20-OFFSET)\n#define DELTA_DIAGONAL_ROD 300\n",
+             "a.h:3:1: error: expected OFFSET, which is part of DELTA_RADIUS in mm, as a number or in brackets; seen \"10+5\""},
         Case{"a.h", defines + "#define DELTA_RADIUS A\n#define A B\n#define B A\n#define DELTA_DIAGONAL_ROD 200\n",
              "a.h:3:1: error: expected DELTA_RADIUS in mm, a number; it is put together in too many steps"},
         Case{"a.h", defines + "#define DELTA_RADIUS 100/0\n#define DELTA_DIAGONAL_ROD 200\n",

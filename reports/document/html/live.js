@@ -200,7 +200,7 @@ function makeLive(model) {
     // The coordinates to which actuators come that are driven evenly from those of `from` to these values; null where the way there ends.
     // Newton's method with exact partials follows the way in stages, so that the machine stays on its side of every singular surface. An
     // angle is driven by half a turn at most. `told` gets how far it came: x, `share` of the way, stages, and where it ended why:
-    // "singular" or "reach".
+    // "singular", "side" where the way goes on beyond a singular pose alone, or "reach".
     solve(lengths, from, told = {}) {
       let x = Array.from(from), y = numbersAt(x), share = 0;
       const start = Array.from(y.subarray(at.actuators, at.actuators + m)), full = rotaryTurns(lengths.map((l, i) => l - start[i]));
@@ -217,7 +217,7 @@ function makeLive(model) {
           stage *= 1.5;
         } else {
           stage /= 2;
-          if (stage < 1e-6 || told.stages > 400) told.why = found.why || "singular";
+          if (stage < 1e-6 || told.stages > 400) told.why = found.why || "side";
         }
       }
       return told.why ? null : x;

@@ -38,8 +38,9 @@ function readModel(buffer) {
     const channel = animation?.channels.find(({ target }) => target.node === node && target.path === path);
     return channel ? list(animation.samplers[channel.sampler].output) : null;
   };
+  const meshes = (gltf.meshes ?? []).map(({ primitives }) => primitives.map(part));
   return {
-    meshes: (gltf.meshes ?? []).map(({ primitives }) => primitives.map(part)),
+    meshes, balls: meshes.map(ballOf),
     times: animation ? list(animation.samplers[0].input) : new Float32Array(0),
     begin: animation?.extras?.begin ?? 0,  // of the motion [s], where the keys count from later
     platform: nodes.findIndex((node) => gltf.nodes[node].extras?.platform === true),
@@ -121,33 +122,56 @@ function reachOf(model) {
   return points.length > 0 ? points : [[-0.5, -0.5, 0], [0.5, 0.5, 1]];
 }
 
+// A ball around a mesh: {middle, radius}.
+function ballOf(mesh) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (const { positions: p } of mesh)
+    for (let i = 0; i < p.length; ++i) {
+      low[i % 3] = Math.min(low[i % 3], p[i]);
+      high[i % 3] = Math.max(high[i % 3], p[i]);
+    }
+  const middle = low.map((value, k) => (value + high[k]) / 2);
+  let radius = 0;
+  for (const { positions: p } of mesh) for (let i = 0; i < p.length; i += 3) radius = Math.max(radius, Math.hypot(p[i] - middle[0], p[i + 1] - middle[1], p[i + 2] - middle[2]));
+  return { middle, radius };
+}
+
+// Whether a line passes a ball by, but for rounding.
+function passes(o, d, { middle: m, radius }) {
+  const x = m[0] - o[0], y = m[1] - o[1], z = m[2] - o[2];
+  const px = y * d[2] - z * d[1], py = z * d[0] - x * d[2], pz = x * d[1] - y * d[0];
+  return Math.hypot(px, py, pz) > (1 + 1e-9) * radius * Math.hypot(d[0], d[1], d[2]);
+}
+
 // The first body that a ray meets, from far away along `direction`: {body, distance, point}; null where it meets none. `distance` counts
 // from `origin`, and may be negative.
 function pick(model, poses, origin, direction) {
-  let best = null;
-  model.bodies.forEach(({ mesh }, body) => {
+  let body = -1, nearest = Infinity;
+  model.bodies.forEach(({ mesh }, b) => {
     if (mesh < 0) return;
-    const o = turnedBack(poses[body], less(origin, poses[body].origin)), d = turnedBack(poses[body], direction);
-    for (const { positions: p, indices } of model.meshes[mesh])
+    const o = turnedBack(poses[b], less(origin, poses[b].origin)), d = turnedBack(poses[b], direction);
+    if (passes(o, d, model.balls[mesh])) return;
+    for (const { positions, indices } of model.meshes[mesh])
       for (let i = 0; i < indices.length; i += 3) {
-        const [a, b, c] = [0, 1, 2].map((k) => p.subarray(3 * indices[i + k], 3 * indices[i + k] + 3));
-        const distance = meets(o, d, a, b, c);
-        if (distance !== null && (best === null || distance < best.distance)) best = { body, distance };
+        const distance = meets(o, d, positions, 3 * indices[i], 3 * indices[i + 1], 3 * indices[i + 2]);
+        if (distance < nearest) [body, nearest] = [b, distance];
       }
   });
-  return best && { ...best, point: along(origin, [best.distance, direction]) };
+  return body < 0 ? null : { body, distance: nearest, point: along(origin, [nearest, direction]) };
 }
 
-// Möller and Trumbore: where a line meets a triangle from outside, null where it does not.
-function meets(o, d, a, b, c) {
-  const ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2], vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
+// Möller and Trumbore: where a line meets from outside the triangle whose corners begin at a, b and c in a list of numbers; infinity where
+// it does not. It runs for every triangle of a body at each move of a pointer, and makes nothing that would be collected.
+function meets(o, d, p, a, b, c) {
+  const ax = p[a], ay = p[a + 1], az = p[a + 2];
+  const ux = p[b] - ax, uy = p[b + 1] - ay, uz = p[b + 2] - az, vx = p[c] - ax, vy = p[c + 1] - ay, vz = p[c + 2] - az;
   const px = d[1] * vz - d[2] * vy, py = d[2] * vx - d[0] * vz, pz = d[0] * vy - d[1] * vx;
   const volume = ux * px + uy * py + uz * pz;
-  if (!(volume > 0)) return null;
-  const sx = o[0] - a[0], sy = o[1] - a[1], sz = o[2] - a[2], u = (sx * px + sy * py + sz * pz) / volume;
-  if (u < 0 || u > 1) return null;
+  if (!(volume > 0)) return Infinity;
+  const sx = o[0] - ax, sy = o[1] - ay, sz = o[2] - az, u = (sx * px + sy * py + sz * pz) / volume;
+  if (u < 0 || u > 1) return Infinity;
   const qx = sy * uz - sz * uy, qy = sz * ux - sx * uz, qz = sx * uy - sy * ux, v = (d[0] * qx + d[1] * qy + d[2] * qz) / volume;
-  return v < 0 || u + v > 1 ? null : (vx * qx + vy * qy + vz * qz) / volume;
+  return v < 0 || u + v > 1 ? Infinity : (vx * qx + vy * qy + vz * qz) / volume;
 }
 
 // ---- The camera, orthographic as in the pictures of the report ----

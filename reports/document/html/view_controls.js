@@ -206,6 +206,7 @@ function makeStage(box, model, canvas, hands) {
     else look(orbited(camera, -dx * 0.008, event.pointerType === "touch" ? 0 : dy * 0.008));
     down.set(event.pointerId, [x, y]);
   });
+  canvas.addEventListener("pointerleave", () => hands.hover(() => -1));
   for (const over of ["pointerup", "pointercancel"])
     canvas.addEventListener(over, (event) => {
       down.delete(event.pointerId);
@@ -278,7 +279,9 @@ function makeEntry(name, unit, low, high, move) {
   const label = unit ? name + " in " + unit : name;
   const slider = element("input", { type: "range", min: low, max: high, step: "any", "aria-label": label });
   const number = element("input", { type: "text", inputmode: "decimal", class: "entry", autocomplete: "off", "aria-label": label + ", as a number" });
+  let at = low;
   const follow = (value) => {
+    at = value;
     const text = told(value, low, low + (high - low) / 10);  // a digit more than a plot tells
     slider.value = value;
     slider.setAttribute("aria-valuetext", withUnit(text, unit));
@@ -294,7 +297,8 @@ function makeEntry(name, unit, low, high, move) {
   number.addEventListener("change", () => {
     const typed = numberTyped(number.value);
     number.blur();
-    move(typed ?? Number(slider.value));
+    if (typed === null) follow(at);
+    else move(typed);
   });
   return { slider, number, follow };
 }
@@ -405,7 +409,7 @@ function showMachine(section, model, live) {
   const stage = makeStage(box, model, canvas, {
     grab: (body, place) => (mode === "By hand" && body === platform ? drag(place) : null),
     hover: mark,
-    space: () => player?.toggle(),
+    space: () => mode === "Motion" && player?.toggle(),
     painted: (camera, width, height) => {
       if (mode !== "By hand") return;
       const [x, y] = seen(camera, hand.state().bodies[platform].origin, width, height);
@@ -458,7 +462,7 @@ function showMachine(section, model, live) {
       section.classList.toggle("by-hand", byHand);
       below.replaceChildren(...(byHand ? [hand.panel] : player ? [player.row] : []));
       stage.show.poses = byHand ? hand.state().bodies : posesAt(model, player ? player.time() : model.begin);
-            for (const part of [grip, hand.verdict, hand.toHome]) part.remove();
+      for (const part of [grip, hand.verdict, hand.toHome]) part.remove();
       if (byHand) {
         box.append(grip, hand.verdict);
         views.before(hand.toHome);

@@ -78,8 +78,10 @@ void put_colophon(Composer& c, const Provenance& p, const Attachments& attached,
   std::vector<std::string> names;
   for (const Attachment& a : attached.files) names.push_back(a.name);
   put_field(c, "Attached", list(names), small);
-  put_field(c, "Not attached",
-            attached.left_out.empty() ? "" : list(attached.left_out) + "; too large, they lie beside the report in data/", small);
+  std::vector<std::string> missing;
+  if (!attached.left_out.empty()) missing.push_back(list(attached.left_out) + "; too large, they lie beside the report");
+  if (!attached.scenario_left_out.empty()) missing.push_back(attached.scenario_left_out + "; too large, it lies where it was read from");
+  put_field(c, "Not attached", fmt::format("{}", fmt::join(missing, ". ")), small);
   c.flow.reluctance(0);
 }
 

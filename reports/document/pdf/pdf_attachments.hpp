@@ -8,7 +8,9 @@ namespace pmreport::document::pdf {
 
 struct Attachments {
   std::vector<Attachment> files;
-  std::vector<std::string> left_out;  // names of those that are too large
+  // Those that are too large: the scenario's name, and where the others lie beside the report.
+  std::string scenario_left_out = {};
+  std::vector<std::string> left_out = {};
 };
 
 // The scenario, results.json, and every data/*.csv, as long as they take a few megabytes together.

@@ -60,6 +60,7 @@ class Breaker {
     for (Sheet& s : all) settle(s);
     return all;
   }
+  std::size_t weighed() const { return weighed_; }
 
  private:
   struct Draft {
@@ -98,6 +99,7 @@ class Breaker {
   double scale_of(const Draft& d) const { return d.flexible > 0 ? std::clamp((height_ - d.fixed) / d.flexible, least_scale, 1.0) : 1; }
 
   void consider(Choice& best, const Draft& d, const Rest& then, double extra) {
+    ++weighed_;
     const double scale = scale_of(d);
     double cost = extra + a_page + shrunk * (1 - scale), used = d.fixed + scale * d.flexible, stretch = 0;
     if (!done(then)) {
@@ -178,10 +180,16 @@ class Breaker {
   const double height_;
   std::map<Rest, Choice> known_;
   std::vector<Rest> missing_;
+  std::size_t weighed_ = 0;
 };
 
 }  // namespace
 
-std::vector<Sheet> break_pages(const std::vector<Item>& items, double height) { return Breaker(items, height).sheets(); }
+std::vector<Sheet> break_pages(const std::vector<Item>& items, double height, std::size_t* weighed) {
+  Breaker breaker(items, height);
+  std::vector<Sheet> out = breaker.sheets();
+  if (weighed != nullptr) *weighed = breaker.weighed();
+  return out;
+}
 
 }  // namespace pmreport::document::pdf

@@ -40,7 +40,8 @@ struct Sheet {
 };
 
 // Every item on a sheet `height` high, in order, but for blocks that moved behind those that follow them. An item higher than that has a
-// sheet of its own. The total cost is the least there is; the white of the last sheet costs nothing.
-std::vector<Sheet> break_pages(const std::vector<Item>& items, double height);
+// sheet of its own. The total cost is the least there is; the white of the last sheet costs nothing. `weighed`, where it is given, gets how
+// many ends of sheets were weighed against one another, which is what all this takes.
+std::vector<Sheet> break_pages(const std::vector<Item>& items, double height, std::size_t* weighed = nullptr);
 
 }  // namespace pmreport::document::pdf

@@ -31,9 +31,14 @@ std::string where(const settings::Place& place);
 // A number and its unit as a TOML string: "\"12.5 mm\"".
 std::string quoted(double value, const std::string& unit);
 
-// Refuses a length that no machine has, in `unit` of so many metres: beyond `most_metres`, or not above 0 where it must be.
+// To so many digits: an estimate that nobody shall take for a measure.
+double roughly(double x, int to_digits);
+
+// Refuses a length that no machine has, of so many metres a unit: beyond `most_metres`, or not above 0 where it must be. Or a speed, where
+// `unit` is "m/s".
 inline constexpr double most_metres = 100;
-void check_length(double value, double metres, const settings::Place& place, const std::string& what, bool above_zero);
+void check_length(double value, double metres, const settings::Place& place, const std::string& what, bool above_zero,
+                  const char* unit = "m");
 
 // Lines "printer.cfg, [fan]: pin, ..." of all settings whose place is not in `taken`, one a section.
 void tell_rest(const settings::Settings& all, const std::set<int>& taken, std::vector<std::string>& out);

@@ -55,12 +55,24 @@ class Reading {
   }
   const Setting& need(const std::string& section, const std::string& key) {
     const Setting* s = find(section, key);
-    if (s == nullptr) settings::refuse(whole_, fmt::format("expected {} in [{}], which is not there", key, section));
+    if (s == nullptr)
+      settings::refuse(whole_, fmt::format("expected {} in [{}], which is not there", key, section),
+                       std::ranges::any_of(all_, includes) ? "files that it includes are not read: put their lines in its place" : "");
     return *s;
   }
-  void tell_rest(std::vector<std::string>& out) const { program::tell_rest(all_, taken_, out); }
+  void tell_rest(std::vector<std::string>& out) {
+    for (const Setting& s : all_)
+      if (includes(s)) {
+        taken_.insert(s.place.line);
+        out.push_back(fmt::format("{}: [{}], which was not read; where it sets the geometry, put its lines in its place", where(s.place),
+                                  settings::shown(s.section)));
+      }
+    program::tell_rest(all_, taken_, out);
+  }
 
  private:
+  static bool includes(const Setting& s) { return s.key.empty() && s.section.starts_with(settings::include); }
+
   Settings all_;
   Place whole_;
   std::set<int> taken_;  // lines

@@ -109,6 +109,11 @@ class Machine {
     check_length(out, unit_.metres, s.place, what, above_zero);
     return out;
   }
+  double speed(const Setting& s, const std::string& what) {
+    const double out = number(s, what);
+    check_length(out, unit_.metres, s.place, what, true, "m/s");
+    return out;
+  }
   const Setting* ini(const std::string& section, const std::string& key) {
     const Setting* s = settings::first_of(ini_, section, key);
     for (const Setting& other : ini_)
@@ -231,7 +236,7 @@ void put_speeds(Machine& m, int joints, const char* actuator, Imported& out) {
   std::string speeds;
   for (int i = 0; i < joints; ++i)
     if (const Setting* s = m.joint(i, "MAX_VELOCITY")) {
-      const double value = m.length(*s, "the MAX_VELOCITY of a joint", true);
+      const double value = m.speed(*s, "the MAX_VELOCITY of a joint");
       speeds += fmt::format("{}{}{} = {}", speeds.empty() ? "" : ", ", actuator, i + 1, quoted(value, m.unit().name + "/s"));
     }
   if (!speeds.empty()) out.tables += fmt::format("[limits]\nactuator_speed = {{ {} }}  # MAX_VELOCITY of the joints\n", speeds);
@@ -309,7 +314,7 @@ std::string points_in_toml(const std::array<Vector3d, 6>& points, const std::str
   return out + "]\n";
 }
 
-double roughly(double x) { return std::stod(format_number(x, 2)); }
+constexpr int guessed = 2;  // digits
 
 Imported hexapod(Machine& m) {
   Imported out;
@@ -353,7 +358,8 @@ Imported hexapod(Machine& m) {
        "platform_points = " + points_in_toml(h.platform, unit, "platform joint");
   double disc = 0;
   for (const Vector3d& b : h.platform) disc += std::hypot(b.x(), b.y()) / 6;
-  q += fmt::format("platform_radius = {}  # of the disc that is drawn\n", quoted(std::max(roughly(disc), 0.001 / m.unit().metres), unit));
+  q += fmt::format("platform_radius = {}  # of the disc that is drawn\n",
+                   quoted(std::max(roughly(disc, guessed), 0.001 / m.unit().metres), unit));
   if (given)
     q += fmt::format("home_position = [{}, {}, {}]  # [TRAJ]HOME\n", quoted(p.x(), unit), quoted(p.y(), unit), quoted(p.z(), unit));
   else
@@ -365,16 +371,17 @@ Imported hexapod(Machine& m) {
   // Limits that stop nothing, as simulators have them, are no strokes.
   const double shortest = *std::ranges::min_element(lengths), longest = *std::ranges::max_element(lengths);
   const bool low = stroke.lowest && *stroke.lowest > 0, high = stroke.highest && *stroke.highest * m.unit().metres <= most_metres;
-  q += fmt::format("stroke_min = {}  # {}\n", quoted(low ? *stroke.lowest : roughly(0.6 * shortest), unit), low ? stroke.from : "a guess");
-  q +=
-      fmt::format("stroke_max = {}  # {}\n", quoted(high ? *stroke.highest : roughly(1.5 * longest), unit), high ? stroke.from : "a guess");
+  q += fmt::format("stroke_min = {}  # {}\n", quoted(low ? *stroke.lowest : roughly(0.6 * shortest, guessed), unit),
+                   low ? stroke.from : "a guess");
+  q += fmt::format("stroke_max = {}  # {}\n", quoted(high ? *stroke.highest : roughly(1.5 * longest, guessed), unit),
+                   high ? stroke.from : "a guess");
   if (stroke.lowest && !low) out.told.push_back(fmt::format("MIN_LIMIT {} stops no strut.", format_number(*stroke.lowest, 6)));
   if (stroke.highest && !high) out.told.push_back(fmt::format("MAX_LIMIT {} stops no strut.", format_number(*stroke.highest, 6)));
   if ((low && shortest < *stroke.lowest) || (high && longest > *stroke.highest))
     out.told.emplace_back("Home lies outside of the limits that the files give the struts.");
   for (const auto& [name, share] : {std::pair{"cylinder_length", 0.76}, std::pair{"rod_length", 0.7}, std::pair{"cylinder_radius", 0.03},
                                     std::pair{"rod_radius", 0.02}, std::pair{"platform_thickness", 0.03}})
-    q += fmt::format("{} = {}\n", name, quoted(roughly(share * scale), unit));
+    q += fmt::format("{} = {}\n", name, quoted(roughly(share * scale, guessed), unit));
 
   if (const Setting* s = m.pin("screw-lead"))
     if (const double lead = m.length(*s, "the screw-lead"); lead != 0) {
@@ -412,10 +419,10 @@ Imported linear_delta(Machine& m) {
   const auto sound = [&](const std::optional<double>& x) { return x && std::abs(*x) * m.unit().metres < most_metres; };
   const auto home = home_of(m);
   t.home = home && (*home)[2] != 0                         ? (*home)[2]
-           : sound(stroke.lowest) && sound(stroke.highest) ? roughly((*stroke.lowest + *stroke.highest) / 2 - rise)
-                                                           : roughly(0.4 * rod);
-  t.lowest = sound(stroke.lowest) ? *stroke.lowest : roughly(t.home);
-  t.highest = sound(stroke.highest) ? *stroke.highest : roughly(t.home + 2 * rise);
+           : sound(stroke.lowest) && sound(stroke.highest) ? roughly((*stroke.lowest + *stroke.highest) / 2 - rise, guessed)
+                                                           : roughly(0.4 * rod, guessed);
+  t.lowest = sound(stroke.lowest) ? *stroke.lowest : roughly(t.home, guessed);
+  t.highest = sound(stroke.highest) ? *stroke.highest : roughly(t.home + 2 * rise, guessed);
   t.lowest_from = sound(stroke.lowest) ? stroke.from : "a guess";
   t.highest_from = sound(stroke.highest) ? stroke.from : "a guess";
   if (!(t.lowest < t.highest)) settings::refuse(m.kins_place(), "expected a MIN_LIMIT of the joints below their MAX_LIMIT");

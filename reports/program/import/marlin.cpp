@@ -62,8 +62,24 @@ void read_definitions(const settings::Lines& lines, Definitions& out, std::vecto
   }
 }
 
-// Sums, products and brackets of numbers and of other names, as the preprocessor puts them together. Bounded in depth and in steps: names
-// may lead in circles.
+// Nothing where there is no such name. Refuses one of two meanings.
+const Definition* look_up(const Definitions& all, const std::string& name) {
+  const auto at = all.find(name);
+  if (at == all.end()) return nullptr;
+  if (at->second.again)
+    settings::refuse(at->second.place_again,
+                     fmt::format("{} is defined a second time, as something else than in {}; which counts is decided by conditions, "
+                                 "which are not followed here",
+                                 name, where(at->second.place)),
+                     "take one of the two out");
+  return &at->second;
+}
+
+// Sums, products and brackets of numbers and of other names, as C computes them: whole numbers divide whole. Bounded in depth and in steps:
+// names may lead in circles.
+//
+// The preprocessor puts in the text of a name, not its value: with #define A 10+5, 200-A is 195. A name that stands in another's sum must
+// therefore be one number, or in brackets.
 class Arithmetic {
  public:
   // `used`: names that the number is put together from are added to it.
@@ -71,72 +87,93 @@ class Arithmetic {
       : all_(all), place_(place), what_(what), used_(used) {}
   double of(const std::string& text) {
     std::string_view rest = text;
-    const double out = sum(rest, 0);
-    if (!trim(rest).empty() || !std::isfinite(out)) fail(text);
-    return out;
+    const Part out = sum(rest, 0);
+    if (!trim(rest).empty() || !std::isfinite(out.value)) fail(text);
+    return out.value;
   }
 
  private:
+  struct Part {
+    double value;
+    bool whole;           // of the type int
+    bool joined = false;  // by an operator that no brackets hold
+  };
+
   [[noreturn]] void fail(std::string_view text) const {
     settings::refuse(place_, fmt::format("expected {}, a number or a sum of numbers; seen {}", what_, in_quotes(settings::shown(text))));
   }
-  double sum(std::string_view& rest, int depth) {
-    double out = product(rest, depth);
+  static Part both(double value, const Part& a, const Part& b) { return {value, a.whole && b.whole, true}; }
+  Part sum(std::string_view& rest, int depth) {
+    Part out = product(rest, depth);
     for (;;) {
       rest = trim(rest);
-      if (rest.starts_with('+'))
-        rest.remove_prefix(1), out += product(rest, depth);
-      else if (rest.starts_with('-'))
-        rest.remove_prefix(1), out -= product(rest, depth);
-      else
-        return out;
+      if (!rest.starts_with('+') && !rest.starts_with('-')) return out;
+      const double sign = rest.front() == '+' ? 1 : -1;
+      rest.remove_prefix(1);
+      const Part more = product(rest, depth);
+      out = both(out.value + sign * more.value, out, more);
     }
   }
-  double product(std::string_view& rest, int depth) {
-    double out = one(rest, depth);
+  Part product(std::string_view& rest, int depth) {
+    Part out = one(rest, depth);
     for (;;) {
       rest = trim(rest);
-      if (rest.starts_with('*'))
-        rest.remove_prefix(1), out *= one(rest, depth);
-      else if (rest.starts_with('/'))
-        rest.remove_prefix(1), out /= one(rest, depth);
-      else
-        return out;
+      if (!rest.starts_with('*') && !rest.starts_with('/')) return out;
+      const bool times = rest.front() == '*';
+      rest.remove_prefix(1);
+      const Part by = one(rest, depth);
+      out = both(times ? out.value * by.value : out.value / by.value, out, by);
+      if (!times && out.whole) out.value = std::trunc(out.value);
     }
   }
-  double one(std::string_view& rest, int depth) {
+  Part one(std::string_view& rest, int depth) {
     constexpr int deepest = 50, most_steps = 10'000;
     if (depth > deepest || ++steps_ > most_steps)
       settings::refuse(place_, fmt::format("expected {}, a number; it is put together in too many steps", what_), "write it as a number");
     rest = trim(rest);
     if (rest.empty()) fail(rest);
-    if (rest.front() == '-') return rest.remove_prefix(1), -one(rest, depth + 1);
-    if (rest.front() == '+') return rest.remove_prefix(1), one(rest, depth + 1);
+    if (rest.front() == '-' || rest.front() == '+') {
+      const double sign = rest.front() == '+' ? 1 : -1;
+      rest.remove_prefix(1);
+      const Part out = one(rest, depth + 1);
+      return {sign * out.value, out.whole};
+    }
     if (rest.front() == '(') {
       rest.remove_prefix(1);
-      const double out = sum(rest, depth + 1);
+      const Part out = sum(rest, depth + 1);
       rest = trim(rest);
       if (!rest.starts_with(')')) fail(rest);
       rest.remove_prefix(1);
-      return out;
+      return {out.value, out.whole};
     }
-    if (of_name(rest.front()) && std::isdigit(static_cast<unsigned char>(rest.front())) == 0) {
-      const auto end = std::find_if_not(rest.begin(), rest.end(), of_name);
-      const std::string name(rest.begin(), end);
-      rest.remove_prefix(name.size());
-      const auto at = all_.find(name);
-      if (at == all_.end()) fail(name);
-      used_.insert(name);
-      std::string_view value = at->second.value;
-      const double out = sum(value, depth + 1);
-      if (!trim(value).empty()) fail(at->second.value);
-      return out;
-    }
+    if (of_name(rest.front()) && std::isdigit(static_cast<unsigned char>(rest.front())) == 0) return named(rest, depth);
     double out = 0;
     const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), out);
     if (error != std::errc()) fail(rest);
-    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-    if (rest.starts_with('f') || rest.starts_with('F')) rest.remove_prefix(1);
+    const auto digits = static_cast<std::size_t>(end - rest.data());
+    const bool whole = rest.substr(0, digits).find_first_not_of("0123456789") == std::string_view::npos;
+    rest.remove_prefix(digits);
+    const bool is_float = rest.starts_with('f') || rest.starts_with('F');
+    if (is_float) rest.remove_prefix(1);
+    return {out, whole && !is_float};
+  }
+  Part named(std::string_view& rest, int depth) {
+    const auto end = std::find_if_not(rest.begin(), rest.end(), of_name);
+    const std::string name(rest.begin(), end);
+    rest.remove_prefix(name.size());
+    const Definition* d = look_up(all_, name);
+    if (d == nullptr) fail(name);
+    used_.insert(name);
+    std::string_view value = d->value;
+    const Part out = sum(value, depth + 1);
+    if (!trim(value).empty()) fail(d->value);
+    if (out.joined)
+      settings::refuse(
+          d->place,
+          fmt::format("expected {}, which is part of {}, as a number or in brackets; seen {}, whose text and not its value the "
+                      "preprocessor puts in",
+                      name, what_, in_quotes(settings::shown(d->value))),
+          fmt::format("write ({})", settings::shown(d->value)));
     return out;
   }
 
@@ -155,16 +192,9 @@ class Reading {
   const Place& whole() const { return whole_; }
 
   const Definition* find(const std::string& name) {
-    const auto at = all_.find(name);
-    if (at == all_.end()) return nullptr;
-    taken_.insert(name);
-    if (at->second.again)
-      settings::refuse(at->second.place_again,
-                       fmt::format("{} is defined a second time, as something else than in {}; which counts is decided by conditions, "
-                                   "which are not followed here",
-                                   name, where(at->second.place)),
-                       "take one of the two out");
-    return &at->second;
+    const Definition* out = look_up(all_, name);
+    if (out != nullptr) taken_.insert(name);
+    return out;
   }
   const Definition* find_either(std::initializer_list<const char*> names) {
     for (const char* name : names)

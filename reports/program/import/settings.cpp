@@ -156,12 +156,12 @@ Settings read_linuxcnc_ini(const Lines& lines) {
 Settings read_klipper(const Lines& lines) {
   Settings out, saved;
   std::string section;
-  bool in_saved = false;
+  bool in_saved = false, goes_on = false;  // goes_on: a value, in the next line
   for (const Line& line : lines) {
     constexpr std::string_view mark = "#*#";
     Line plain = line;
     if (line.text.starts_with(mark)) {
-      if (!in_saved) section.clear(), in_saved = true;
+      if (!in_saved) section.clear(), in_saved = true, goes_on = false;
       plain.text.erase(0, mark.size());
       if (plain.text.starts_with(' ')) plain.text.erase(0, 1);
       if (plain.text.starts_with('<') || plain.text.starts_with("DO NOT EDIT")) continue;  // what Klipper writes above the block
@@ -171,11 +171,17 @@ Settings read_klipper(const Lines& lines) {
     Settings& here = in_saved ? saved : out;
     if (blank(plain.text.front())) {
       if (here.empty()) refuse(line.place, "expected [SECTION] first, seen a line that goes on with a value");
+      if (!goes_on)
+        refuse(line.place, fmt::format("expected a setting of [{}], seen a line that goes on with a value", shown(section)),
+               "begin it without a blank");
       here.back().value += " " + std::string(trim(plain.text));
     } else if (const auto name = section_in(plain)) {
       section = *name;
+      goes_on = false;
+      if (section.starts_with(include)) here.push_back({section, "", "", line.place});
     } else {
       here.push_back(setting_in(plain, section, ":=", "NAME: VALUE"));
+      goes_on = true;
     }
   }
   out.insert(out.end(), saved.begin(), saved.end());

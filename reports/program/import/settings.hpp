@@ -48,9 +48,12 @@ std::string shown(std::string_view text);
 std::vector<std::string> words_of(std::string_view text);
 std::string lower(std::string_view text);
 
+// How the section of another file begins.
+inline constexpr std::string_view include = "include ";
+
 // Sections with keys and values. LinuxCNC: NAME = VALUE, comments from # or ; at the beginning of a line. Klipper: also NAME: VALUE, values
 // that go on in lines that are set in, comments to the end of a line, and a block of saved values at the end, which count in place of those
-// before them.
+// before them. A section [include FILE] is a setting without a key: the file is not read.
 Settings read_linuxcnc_ini(const Lines& lines);
 Settings read_klipper(const Lines& lines);
 

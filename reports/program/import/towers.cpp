@@ -20,9 +20,6 @@ std::string list(const double (&all)[3], const std::string& unit, double more = 
 }
 bool alike(const double (&all)[3]) { return all[0] == all[1] && all[1] == all[2]; }
 
-// To one digit: an estimate that nobody shall take for a measure.
-double roughly(double x) { return std::stod(format_number(x, 1)); }
-
 }  // namespace
 
 std::string where(const settings::Place& place) {
@@ -32,11 +29,13 @@ std::string where(const settings::Place& place) {
 
 std::string quoted(double value, const std::string& unit) { return fmt::format("\"{} {}\"", format_number(value, digits), unit); }
 
-void check_length(double value, double metres, const settings::Place& place, const std::string& what, bool above_zero) {
+double roughly(double x, int to_digits) { return std::stod(format_number(x, to_digits)); }
+
+void check_length(double value, double metres, const settings::Place& place, const std::string& what, bool above_zero, const char* unit) {
   if (above_zero && !(value > 0)) settings::refuse(place, fmt::format("expected {} above 0, seen {}", what, format_number(value, 6)));
   if (std::abs(value) * metres > most_metres)
-    settings::refuse(place, fmt::format("expected {} of at most {} m, seen {} m", what, format_number(most_metres, 6),
-                                        format_number(value * metres, 6)));
+    settings::refuse(place, fmt::format("expected {} of at most {} {}, seen {} {}", what, format_number(most_metres, 6), unit,
+                                        format_number(value * metres, 6), unit));
 }
 
 void tell_rest(const settings::Settings& all, const std::set<int>& taken, std::vector<std::string>& out) {
@@ -63,7 +62,7 @@ void put_towers(const Towers& t, Imported& out) {
   const double reach = *std::max_element(std::begin(t.radius), std::end(t.radius)),
                rod = *std::min_element(std::begin(t.rod), std::end(t.rod));
   // What enters is R - r alone; the firmware knows no more, so r is drawn as printers have it.
-  const double r = roughly(0.17 * reach), spacing = roughly(0.15 * rod);
+  const double r = roughly(0.17 * reach, 1), spacing = roughly(0.15 * rod, 1);
   const std::string& unit = t.unit;
   out.mechanism = "linear-delta";
   out.told.push_back(fmt::format("The firmware knows the distance in plan from ball to ball alone; of it r = {} {} is put on the platform.",

@@ -189,6 +189,27 @@ test("a way that ends at a singular pose, or at the end of reach, is told with h
   assert.equal(told.share, 0);
 });
 
+// Two actuators x and x y: driven along y = 0 through x = 0, where the second holds nothing, they lead on to the other side.
+const crossing = {
+  ...slide, name: "crossing",
+  geometry: (x, y) => {
+    slide.geometry(x, y);
+    y[0] = 9;
+    y.set([x[0], x[0] * x[1]], 19);
+    y.set([1, 0, x[1], x[0]], 58);
+  },
+  actuators: slide.actuators.map((a) => ({ ...a, rotary: false })),
+};
+
+test("a pose to which a way leads beyond a singular one alone is told to lie on the other side", () => {
+  const live = makeLive(crossing), told = {};
+  allClose(live.solve([0.2, 0], [1, 0], told), [0.2, 0]);
+  assert.equal(live.solve([-0.7, 0], [1, 0], told), null);
+  assert.equal(told.why, "side");
+  close(told.share, 1 / 1.7, 1e-4);
+  assert.ok(told.x[0] > 0);
+});
+
 test("a machine stays on its side of a singular pose", () => {
   const live = makeLive(slide);
   allClose(live.solve(live.at([1, 0]).actuators, [-1, 0]), [-1, 0], 1e-10);

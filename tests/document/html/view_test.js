@@ -116,11 +116,40 @@ test("a ray meets the body that is nearest to the viewer, where its surface is",
 });
 
 test("a line meets a triangle from outside alone", () => {
-  const [a, b, c] = [[0, 0, 0], [1, 0, 0], [0, 1, 0]];
-  assert.equal(meets([0.2, 0.2, 5], [0, 0, -1], a, b, c), 5);
-  assert.equal(meets([0.2, 0.2, -5], [0, 0, 1], a, b, c), null);
-  assert.equal(meets([0.8, 0.8, 5], [0, 0, -1], a, b, c), null);
-  assert.equal(meets([0.2, 0.2, 5], [1, 0, 0], a, b, c), null);
+  const corners = [9, 9, 9, 0, 0, 0, 1, 0, 0, 0, 1, 0];  // of it the last three
+  assert.equal(meets([0.2, 0.2, 5], [0, 0, -1], corners, 3, 6, 9), 5);
+  assert.equal(meets([0.2, 0.2, -5], [0, 0, 1], corners, 3, 6, 9), Infinity);
+  assert.equal(meets([0.8, 0.8, 5], [0, 0, -1], corners, 3, 6, 9), Infinity);
+  assert.equal(meets([0.2, 0.2, 5], [1, 0, 0], corners, 3, 6, 9), Infinity);
+});
+
+test("a ray asks the triangles of those bodies alone that it comes near to", () => {
+  const model = sample(), poses = posesAt(model, 2), asked = meets, cut = Float32Array.prototype.subarray;  // the bodies are far apart
+  let triangles = 0, lists = 0;
+  globalThis.meets = (...all) => (++triangles, asked(...all));
+  Float32Array.prototype.subarray = function (...all) {
+    ++lists;
+    return cut.apply(this, all);
+  };
+  try {
+    assert.equal(pick(model, poses, [0.4, 0.3, 10], [0, 0, -1]).body, 0);
+    assert.equal(triangles, 12);
+    assert.equal(pick(model, poses, [0.4, 5, 10], [0, 0, -1]), null);
+    assert.equal(triangles, 12);
+    assert.equal(lists, 0);
+  } finally {
+    globalThis.meets = asked;
+    Float32Array.prototype.subarray = cut;
+  }
+});
+
+test("a ball around a mesh holds it, and no ray that meets the mesh passes it by", () => {
+  const ball = ballOf([{ positions: cube.positions }]);
+  near(ball.middle, [0.5, 0.5, 0.5]);
+  near([ball.radius], [Math.sqrt(3) / 2]);
+  for (const corner of [[0, 0, 0], [1, 0, 1], [1, 1, 1]])
+    for (const d of [[0, 0, -3], [1, 2, 0.5], [-0.1, 0.2, 0.1]]) assert.ok(!passes(along(corner, [-7, d]), d, ball));
+  assert.ok(passes([0.5, 1.4, 9], [0, 0, -2], ball));
 });
 
 test("the camera's axes are right, up and towards the viewer, as in the pictures", () => {
@@ -250,4 +279,115 @@ test("numbers have the digits of their span, or their own, and limits no zeros t
   assert.equal(declared(1490.0000000001), "1490");
   assert.equal(declared(-0.25), "−0.25");
   assert.equal(declared(0), "0");
+});
+
+// ---- The reader's hands, with as much of a page as they touch ----
+
+class Part {
+  constructor(name) {
+    Object.assign(this, { name, style: {}, children: [], attributes: {}, heard: {}, clientWidth: 600, clientHeight: 400, textContent: "", value: "" });
+    const classes = new Set();
+    this.classList = { toggle: (one, on) => (on ? classes.add(one) : classes.delete(one)), contains: (one) => classes.has(one) };
+  }
+  setAttribute(key, value) { this.attributes[key] = value; }
+  append(...parts) {
+    this.children.push(...parts);
+    if (parts.every((part) => typeof part === "string")) this.textContent += parts.join("");
+  }
+  replaceChildren(...parts) { this.children = parts; }
+  before() {}
+  remove() {}
+  focus() { document.activeElement = this; }
+  blur() { document.activeElement = null; }
+  setPointerCapture() {}
+  getBoundingClientRect() { return { left: 0, top: 0 }; }
+  addEventListener(what, act) { (this.heard[what] ??= []).push(act); }
+  tell(what, event = {}) { for (const act of this.heard[what] ?? []) act({ preventDefault() {}, ...event }); }
+  // The first part below that is so.
+  find(is) {
+    for (const child of this.children.filter((one) => one instanceof Part)) {
+      const found = is(child) ? child : child.find(is);
+      if (found) return found;
+    }
+    return null;
+  }
+}
+
+// Runs `act(find)` on the view of the sample, whose platform a live machine moves by hand; `find` looks for a part of it.
+function withView(act) {
+  const before = {};
+  const put = (name, value) => {
+    before[name] = Object.getOwnPropertyDescriptor(globalThis, name);
+    Object.defineProperty(globalThis, name, before[name]?.configurable === false ? { value } : { value, configurable: true, writable: true });
+  };
+  const frames = [];
+  put("document", { createElement: (name) => new Part(name), activeElement: null, body: new Part("body") });
+  put("matchMedia", () => ({ matches: false, addEventListener() {} }));
+  put("addEventListener", () => {});
+  put("devicePixelRatio", 1);
+  put("requestAnimationFrame", (next) => frames.push(next));
+  for (const name of ["ResizeObserver", "IntersectionObserver"]) put(name, class { observe() {} });
+  put("makePainter", () => () => {});
+  const margins = [{ name: "l", unit: "m", factor: 1, value: 1, low: 0, high: 2, margin: 1, share: 0.5, broken: false }];
+  const one = { symbol: "l", title: "", unit: "m", factor: 1, min: 0, max: 2, effort: { name: "force", unit: "N", factor: 1 } };
+  const asked = [];
+  const live = {
+    home: [1], coordinates: [{ ...one, symbol: "x" }], actuators: [one], load: {},
+    at: (x) => ({ x, reachable: true, actuators: x, forces: [0], margins, condition: 1, bodies: posesAt(sample(), -1) }),
+    solve: (lengths) => (asked.push(lengths), lengths),
+  };
+  const section = new Part("section");
+  try {
+    assert.ok(showMachine(section, sample(), live));
+    act((is) => section.find(is), asked);
+  } finally {
+    clock.followers.length = 0;
+    for (const [name, was] of Object.entries(before)) was ? Object.defineProperty(globalThis, name, was) : delete globalThis[name];
+  }
+}
+const called = (label) => (part) => part.attributes["aria-label"] === label;
+const saying = (text) => (part) => part.name === "button" && part.textContent === text;
+
+test("Space plays the motion where it is seen, and nothing where the machine is moved by hand", () => {
+  withView((find) => {
+    const canvas = find(({ name }) => name === "canvas"), play = find(saying("▶ Play"));
+    canvas.tell("keydown", { key: " " });
+    assert.equal(play.textContent, "❚❚ Pause");
+    find(saying("By hand")).tell("click");
+    assert.equal(play.textContent, "▶ Play");
+    canvas.tell("keydown", { key: " " });
+    assert.equal(play.textContent, "▶ Play");
+  });
+});
+
+test("the platform is marked under the pointer, and no more once the pointer has left the picture", () => {
+  withView((find) => {
+    const canvas = find(({ name }) => name === "canvas");
+    find(saying("By hand")).tell("click");
+    const model = sample(), [x, y] = seen(framing(reachOf(model), standpoints.Isometric, 1.5), [0.5, 0.5, 1], 600, 400);
+    canvas.tell("pointermove", { pointerType: "mouse", clientX: x, clientY: y });
+    assert.ok(canvas.classList.contains("on-platform"));
+    canvas.tell("pointerleave", { pointerType: "mouse" });
+    assert.ok(!canvas.classList.contains("on-platform"));
+  });
+});
+
+test("words typed in place of a number move nothing, and the number comes back", () => {
+  withView((find, asked) => {
+    find(saying("By hand")).tell("click");
+    const number = find(called("l in m, as a number"));
+    const type = (text) => {
+      number.focus();
+      number.value = text;
+      number.tell("change");
+    };
+    const before = number.value;
+    assert.equal(numberTyped(before), 1);
+    type("a metre");
+    assert.equal(number.value, before);
+    assert.deepEqual(asked, []);
+    type("1,5");
+    assert.deepEqual(asked, [[1.5]]);
+    assert.equal(numberTyped(number.value), 1.5);
+  });
 });

@@ -203,8 +203,23 @@ TEST_CASE("no page of a document but its last is white for more than a third") {
   }
 }
 
-TEST_CASE("a thousand pages take no time that anyone notices") {
-  Story s;
-  for (int i = 0; i < 2000; ++i) s.lines(10, 11).figure(330).rows(4, 30, split_small);
-  CHECK(s.sheets().size() > 500);
+TEST_CASE("a report of twice the pages takes no more than twice the work to break, and a little") {
+  // A thousand pages and half as many: of all sorts, of one listing, of one table. The work is the ends of pages that are weighed.
+  const auto work_of = [](int kind, int n) {
+    Story s;
+    if (kind == 0)
+      for (int i = 0; i < n; ++i) s.lines(10, 11).figure(330).rows(4, 30, split_small);
+    else if (kind == 1)
+      s.lines(30 * n, 11);
+    else
+      s.rows(15 * n, 30, split_large);
+    std::size_t weighed = 0;
+    CHECK(break_pages(s.items, tall, &weighed).size() > std::size_t(n) / 4);
+    CHECK(weighed >= s.items.size() / 100);
+    return double(weighed);
+  };
+  for (const int kind : {0, 1, 2}) {
+    CAPTURE(kind);
+    CHECK(work_of(kind, 2000) < 2.5 * work_of(kind, 1000));
+  }
 }

@@ -1,6 +1,7 @@
 // What PDF/UA (ISO 14289-1) asks of structure and metadata, checked in the file as qpdf reads it.
 #include <reports/document/html/figure_words.hpp>
 #include <reports/document/pdf/pdf_artifacts.hpp>
+#include <reports/document/pdf/pdf_attachments.hpp>
 #include <reports/document/write.hpp>
 #include <tests/document/pdf/pdf_sample.hpp>
 #include <tests/document/pdf/pdf_tools.hpp>
@@ -10,6 +11,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <optional>
@@ -325,5 +327,30 @@ TEST_CASE("data too large to send along are named, and stay beside the report") 
   const auto listed = ask("pdfdetach -list {}", pdf), text = ask("pdftotext -layout {} -", pdf);
   if (!listed || !text) return;
   CHECK_FALSE(contains(*listed, "statics.csv"));
-  CHECK(contains(*text, "statics.csv; too large, they lie beside the report in data/"));
+  CHECK(contains(*text, "data/statics.csv; too large, they lie beside the report"));
+}
+
+TEST_CASE("what is too large to be attached is told with the place where it lies") {
+  Report r = whole();
+  r.scenario_text.clear();
+  for (int i = 0; i < 1'400'000; ++i) r.scenario_text += "#.\n";
+  const auto text = ask("pdftotext -layout {} -", to_pdf(r));
+  if (text) CHECK(contains(*text, "4sps-spr.toml; too large, it lies where it was read from"));
+  r.sections.push_back({"long", "", "Long", {Proof{{{std::string(4'100'000, 'a'), "", 0, 1e-9, "m"}}}}});
+  const pdf::Attachments all = pdf::attachments_of(r, names_of(r));
+  CHECK(all.scenario_left_out == "4sps-spr.toml");
+  CHECK(all.left_out == std::vector<std::string>{"results.json"});
+  CHECK(std::ranges::none_of(all.files, [](const pdf::Attachment& a) { return a.name == "4sps-spr.toml" || a.name == "results.json"; }));
+}
+
+TEST_CASE("data whose cells alone are too many are not written out to learn that they are too large") {
+  Report r = whole();
+  r.data.resize(2);
+  // Of a column of one-digit numbers the bound is all there is: what fits by it is attached.
+  r.data[1] = {"digits", {"n"}, {std::vector<double>(1'900'000, 7.0)}};
+  CHECK(pdf::attachments_of(r, names_of(r)).left_out.empty());
+  // Without a heading it cannot be written at all.
+  r.data[1] = {"digits", {}, {std::vector<double>(2'100'000, 7.0)}};
+  REQUIRE_THROWS(to_csv(r.data[1]));
+  CHECK(pdf::attachments_of(r, names_of(r)).left_out == std::vector<std::string>{"data/digits.csv"});
 }
