@@ -2,7 +2,7 @@
 # shellcheck shell=sh disable=SC2034  # the lists are for those who source this
 
 program_packages="g++ cmake ninja-build pkg-config libeigen3-dev libboost-dev libosmesa6-dev libgl-dev libcairo2-dev libpango1.0-dev
-  libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libtbb-dev libnlopt-dev libpng-dev libqpdf-dev fonts-dejavu-core"
+  libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libtbb-dev libnlopt-dev libpng-dev libqpdf-dev libpolyclipping-dev fonts-dejavu-core"
 test_packages="catch2 libxml2-utils locales nodejs poppler-utils qpdf"
 judge_packages="libsimbody-dev libmujoco-dev calculix-ccx libmpfi-dev libflint-dev libflint-arb-dev" # other programs for the dynamics of bodies, for elasticity and for intervals, which the tests hold ours against
 style_packages="clang-format git"

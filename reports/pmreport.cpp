@@ -146,7 +146,7 @@ int flushed(int status) {
   return status == program::all_well ? program::output_failed : status;
 }
 
-int answer(int argc, char** argv) {
+int answer(int argc, char** argv, bool worker) {
   const std::variant<Options, int> asked = program::read_command_line(argc, argv);
   if (const int* status = std::get_if<int>(&asked)) return flushed(*status);
   const Options& options = std::get<Options>(asked);
@@ -154,11 +154,9 @@ int answer(int argc, char** argv) {
     tell("error: {}\n", wrong);
     return program::bad_scenario;
   }
-  if (options.command != program::Command::many)
+  if (!worker && options.command != program::Command::many)
     if (const std::optional<int> status = program::run_in_worker(argv, options.timeout)) return *status;
-  const int status = flushed(guarded([&] { return work(options); }));
-  program::worker_done(status);
-  return status;
+  return flushed(guarded([&] { return work(options); }));
 }
 
 }  // namespace
@@ -167,5 +165,8 @@ int main(int argc, char** argv) {
   fill_closed_streams();
   figure::keep_library_warnings();
   std::signal(SIGPIPE, SIG_IGN);
-  return guarded([&] { return answer(argc, argv); });
+  std::signal(SIGCHLD, SIG_DFL);  // where it is ignored, nobody learns how a child ended
+  const int status = guarded([&] { return answer(argc, argv, program::begin_as_worker()); });
+  program::worker_done(status);
+  return status;
 }

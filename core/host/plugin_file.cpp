@@ -12,6 +12,7 @@
 #include <cstring>
 #include <map>
 #include <mutex>
+#include <utility>
 
 namespace pmreport::host {
 namespace {
@@ -52,6 +53,27 @@ Registry& registry() {
   return one;
 }
 
+// Told from its beginning to its end, however that comes; what the library changes of the process is put back then.
+class Loading {
+ public:
+  Loading(Registry& known, const std::filesystem::path& file) : known_(known), file_(file) { known.loading(file, true); }
+  Loading(const Loading&) = delete;
+  Loading& operator=(const Loading&) = delete;
+  ~Loading() { end(); }
+  // What had to be put back.
+  std::vector<std::string> end() {
+    if (std::exchange(ended_, true)) return {};
+    known_.loading(file_, false);
+    return before_.restore();
+  }
+
+ private:
+  Registry& known_;
+  const std::filesystem::path& file_;
+  const Surroundings before_;
+  bool ended_ = false;
+};
+
 // Loads one file, once a process. The registry is locked.
 const PluginFile& load(Registry& known, const std::filesystem::path& path) {
   require_plugin_library(path);
@@ -60,12 +82,9 @@ const PluginFile& load(Registry& known, const std::filesystem::path& path) {
   const std::string where = path.string();
   if (const auto end = known.left_out.find(file); end != known.left_out.end())
     refuse(where, "a library that can be loaded", "a crash as it was: " + end->second, "take the file out of the plugin folder");
-  known.loading(file, true);
-  const Surroundings before;
+  Loading loading(known, file);
   const auto& library = known.libraries.emplace_back(open(file, where));
-  const std::vector<std::string> changed = before.restore();
-  known.loading(file, false);
-  if (!changed.empty())
+  if (const std::vector<std::string> changed = loading.end(); !changed.empty())
     refuse(where, "a library that leaves the program as it is", "one that changes " + changed.front() + " as it is loaded",
            "take that out of it, or build it without");
   const auto& table = library.get<const pm_plugin_table>(PM_PLUGIN_SYMBOL);

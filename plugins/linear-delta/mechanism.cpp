@@ -149,6 +149,10 @@ LinearDelta::LinearDelta(const Parameters& p)
     if (!(across < 0.98 * rod_[i]))
       refuse("home has the platform in the middle: the rods of limb ", std::to_string(i + 1), " must be longer than ", across / 0.98,
              " m to reach it");
+    if (across < 0.02 * rod_[i])
+      refuse("home has the platform in the middle: the rods of limb ", std::to_string(i + 1),
+             " stand upright there, and such a platform turns freely about Z; its tower must be ", 0.02 * rod_[i],
+             " m nearer or farther than the platform's joints");
     for (std::size_t k = 0; k < i; ++k)
       if (abs(u_[i].cross(u_[k]).z()) < 0.01 && u_[i].dot(u_[k]) > 0)
         refuse("tower_angles: towers ", std::to_string(k + 1), " and ", std::to_string(i + 1),
@@ -171,7 +175,9 @@ Topology LinearDelta::describe(const Parameters& p) const {
   for (const Limb limb : limbs_) {
     const auto i = static_cast<std::size_t>(limb.i);
     const std::string n = std::to_string(limb.i + 1), rods[] = {n + "1", n + "2"};
-    const Inertia rod = Inertia::solid_cylinder(p["rod_mass"], rod_[i], 0.5 * p["bar_diameter"], 0.5 * rod_[i]);
+    // A tube, m (a^2 + b^2) / 2 about its axis and m (3 (a^2 + b^2) + l^2) / 12 across.
+    const double m = p["rod_mass"], radii = square(0.5 * p["bar_diameter"]) + square(0.5 * p["bar_bore"]);
+    const Inertia rod = Inertia::axisymmetric(m, 0.5 * rod_[i], m * (3 * radii + square(rod_[i])) / 12, m * radii / 2);
     t.add(Body{"carriage " + n, limb.i + 1, false, Inertia::axisymmetric(p["carriage_mass"], 0, 0, 0)});
     t.add(Joint{"P" + n, JointKind::prismatic, 0, limb.carriage, {}});  // bounded by the stroke
     for (int k = 0; k < 2; ++k) {

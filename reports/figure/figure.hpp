@@ -34,7 +34,7 @@ struct Line {  // horizontal reference line: a limit
   enum class Forbids { nothing, above, below } forbids = Forbids::nothing;
 };
 
-struct Mark {  // a point of a curve that counts, with its number beside it
+struct Mark {  // a point of a curve that counts, with its number beside it; at the edge of the frame where the curve leaves it there
   double x, y;
   std::string label;
   int style = 0;        // of its curve
@@ -70,8 +70,9 @@ struct Panel {
   std::vector<Line> lines;
   std::optional<ColourMap> map = {};
   std::vector<NamedLine> named = {};
-  bool equal = false;  // x and y to one scale, a drawing, not a diagram: the frame is as large as its data then need
-  std::vector<Mark> marks = {};
+  bool equal = false;            // x and y to one scale, a drawing, not a diagram: the frame is as large as its data then need
+  std::vector<Mark> marks = {};  // of small multiples
+  std::string note = {};         // drawn small beside the heading: "limit 580 mm off the scale"
 };
 
 // Small multiples: panels row by row, the names of their rows at the left and of their columns on top. Panels of a column share one scale

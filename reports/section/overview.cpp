@@ -60,14 +60,32 @@ std::vector<Quantity> quantities(const Analysis& a, const std::string& unit) {
   return out;
 }
 
-// Nearest to an end of the stroke; else the largest magnitude. -1: no value.
-int worst_sample(const std::vector<double>& x, const Range& allowed, bool stroke) {
+// How near a value comes to what limits it: 1 at the limit, more beyond it. Without limits its magnitude, which is less than any use of
+// one.
+struct Use {
+  bool limited = false;
+  double use = -none;
+
+  // Of two that only rounding sets apart the first counts, on every processor.
+  bool exceeds(const Use& other) const {
+    if (limited != other.limited) return limited;
+    return use > other.use + 1e-9 * std::abs(other.use) || (std::isfinite(use) && !std::isfinite(other.use));
+  }
+};
+Use use_of(double x, const Range& allowed) {
+  if (!std::isfinite(allowed.min) || !std::isfinite(allowed.max)) return {false, std::abs(x)};
+  const double middle = allowed.min / 2 + allowed.max / 2, half = allowed.max / 2 - allowed.min / 2;
+  return {true, std::abs(x - middle) / half};
+}
+
+// Where the use is largest. -1: no value.
+int worst_sample(const std::vector<double>& x, const Range& allowed) {
   int worst = -1;
-  double most = -none;
+  Use most;
   for (std::size_t k = 0; k < x.size(); ++k) {
-    const bool ends = stroke && std::isfinite(allowed.min) && std::isfinite(allowed.max);
-    const double used = ends ? std::max(allowed.min - x[k], x[k] - allowed.max) : std::abs(x[k]);
-    if (std::isfinite(used) && used > most) most = used, worst = static_cast<int>(k);
+    if (!std::isfinite(x[k])) continue;
+    const Use use = use_of(x[k], allowed);
+    if (worst < 0 || use.exceeds(most)) most = use, worst = static_cast<int>(k);
   }
   return worst;
 }
@@ -103,7 +121,8 @@ std::vector<figure::Panel> column_panels(const Analysis& a, const Quantity& q, c
 
   std::vector<figure::Panel> out;
   std::vector<int> worst;
-  double largest = 0, gravest = -none;
+  double largest = 0;
+  Use gravest;
   std::size_t grave = 0;
   for (std::size_t row = 0; row < rows.size(); ++row) {
     figure::Panel p{symbol(actuators[rows[row]].name) + ", " + q.title, {"t", "s"}, all.y, {all.series[row]}, all.bands, {}};
@@ -114,15 +133,12 @@ std::vector<figure::Panel> column_panels(const Analysis& a, const Quantity& q, c
     if (std::isfinite(allowed.max)) p.lines.push_back({allowed.max * per_si, "", figure::Line::Forbids::above});
     if (std::isfinite(allowed.min)) p.lines.push_back({allowed.min * per_si, "", figure::Line::Forbids::below});
     const std::vector<double>& y = p.series.front().y;
-    worst.push_back(worst_sample(y, {allowed.min * per_si, allowed.max * per_si}, q.stroke));
+    const Range drawn{allowed.min * per_si, allowed.max * per_si};
+    worst.push_back(worst_sample(y, drawn));
     if (worst.back() >= 0) {
       const double value = y[static_cast<std::size_t>(worst.back())];
       largest = std::max(largest, std::abs(value));
-      // How far beyond its limit, or how near to it; among actuators without one the largest.
-      const double margin = q.stroke && std::isfinite(allowed.max) ? std::max(allowed.min * per_si - value, value - allowed.max * per_si)
-                            : std::isfinite(allowed.max)           ? std::abs(value) / (allowed.max * per_si)
-                                                                   : std::abs(value);
-      if (margin > gravest) gravest = margin, grave = row;
+      if (const Use use = use_of(value, drawn); use.exceeds(gravest)) gravest = use, grave = row;
     }
     out.push_back(std::move(p));
   }
@@ -148,7 +164,8 @@ std::vector<figure::Panel> column_panels(const Analysis& a, const Quantity& q, c
     const std::string ends = symmetric    ? "±" + show(high, q.unit)
                              : low < high ? show(low, q.unit) + " to " + show(high, q.unit)
                                           : show(low, q.unit);
-    off_scale.push_back(q.limits + " " + ends);
+    const std::string limits = low < high ? q.limits : q.limits.substr(0, q.limits.size() - 1);  // "force limit"
+    off_scale.push_back(limits + " " + ends);
   }
   return out;
 }
@@ -181,10 +198,12 @@ figure::Figure multiples(const Analysis& a, const std::string& unit) {
     }
   }
   f.multiples = std::move(names);
+  const bool strokes = std::any_of(columns.begin(), columns.end(), [](const Quantity& q) { return q.stroke; });
   f.caption = fmt::format(
-      "Every actuator at a glance: {}. A column has one scale. Dots: the worst of each actuator, in bold of all; of a {} "
-      "the nearest to an end of its stroke, else the largest.",
-      fmt::join(titles, ", "), unit == "m" ? "length" : "turn");
+      "Every actuator at a glance: {}. A column has one scale. Dots: the worst of each actuator, in bold of all; {}.",
+      fmt::join(titles, ", "),
+      strokes ? fmt::format("of {} the nearest to an end of its stroke, else the largest", unit == "m" ? "a length" : "an angle")
+              : "the largest");
   if (limits) f.caption += " Hatched: beyond a limit.";
   if (!off_scale.empty()) f.caption += fmt::format(" Off the scale: {}.", fmt::join(off_scale, "; "));
   return f;

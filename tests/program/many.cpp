@@ -3,9 +3,11 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <string>
+#include <thread>
 
 using namespace program_test;
 using Catch::Matchers::Contains;
@@ -153,4 +155,43 @@ TEST_CASE("an interruption ends all, and leaves an earlier index as it was") {
   CAPTURE(result.err);
   CHECK(result.status == 143);
   CHECK(contents(here / "reports") == before);
+}
+
+TEST_CASE("a scenario that fails is told to fail also where the ends of children are ignored") {
+  const Workshop here;
+  here.write("good.toml", small);
+  here.write("bad.toml", failing);
+  const Result r =
+      run({"/bin/sh", "-c", "trap '' CHLD; exec " + std::string(PROGRAM) + " good.toml bad.toml -o all"}, {.folder = here.path()});
+  CAPTURE(r.err);
+  CHECK(r.status == 1);
+  CHECK(json::parse(bytes_of(here / "all/index.json"))["status"] == 1);
+}
+
+TEST_CASE("a process that a plugin leaves behind keeps no other scenario waiting") {
+  const Workshop here;
+  fs::create_directory(here / "plugins");
+  fs::copy_file(fs::path(FIXTURES) / "forking.so", here / "plugins" / "forking.so");
+  here.write("a.toml", slider);
+  const Result r = in(here, {"a.toml", "a.toml", "-o", "all", "--plugin-path", "plugins"});  // which ends at all
+  CHECK(r.status == 0);
+}
+
+TEST_CASE("who makes several reports and is killed takes the one at work along") {
+  const Workshop here;
+  here.write("long.toml", with(small, {{"samples = 21", "samples = 200001"}}));
+  Process process({PROGRAM, "long.toml", "long.toml", "-o", "all"}, {.folder = here.path()});
+  const auto begun = [&] {
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(here / "all", none))
+      if (entry.path().extension() == ".partial") return true;
+    return false;
+  };
+  for (int k = 0; k < 1000 && !begun(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  REQUIRE(begun());
+  process.send(SIGKILL);
+  process.finish();
+  for (int k = 0; k < 1000 && begun(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  CHECK_FALSE(begun());
+  CHECK_FALSE(fs::exists(here / "all/long"));
 }

@@ -157,6 +157,18 @@ TEST_CASE("an orphan that hangs ends") {
   CHECK(process.finish().status == -SIGKILL);  // which waits until nobody holds its streams any more
 }
 
+TEST_CASE("a library that cannot be loaded is not to blame for what another does") {
+  for (const char* plugin : {"exiting", "crashing"}) {
+    CAPTURE(plugin);
+    const Evil evil(plugin);
+    fs::copy_file(fs::path(FIXTURES) / "missing_function.so", evil.workshop / "plugins" / "zz.so");  // looked at last
+    const Result r = evil.report();
+    CHECK(r.status == 3);
+    CHECK(r.err.find(" in " + (evil.workshop / "plugins" / (std::string(plugin) + ".so")).string()) != std::string::npos);
+    CHECK(r.err.find("a crash as it was") == std::string::npos);
+  }
+}
+
 TEST_CASE("an earlier report survives a plugin that crashes") {
   const Evil evil("crashing");
   const Result sound = evil.workshop.report(program_test::small);

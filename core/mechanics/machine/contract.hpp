@@ -40,10 +40,25 @@ auto map(const pm_list& list, F&& f) {
 
 inline std::string text_or_empty(const char* s) { return s != nullptr ? s : ""; }
 
+// How numbers are rounded, put back at its end.
+class Rounding {
+ public:
+  Rounding() : before_(std::fegetround()) {}
+  Rounding(const Rounding&) = delete;
+  Rounding& operator=(const Rounding&) = delete;
+  ~Rounding() {
+    if (changed()) std::fesetround(before_);
+  }
+  bool changed() const { return std::fegetround() != before_; }
+
+ private:
+  const int before_;
+};
+
 // Calls a function of the contract. It must neither throw, which plain C cannot carry, nor leave numbers rounded in another way.
 template <class F>
 pm_status undisturbed(F&& f) {
-  const int rounding = std::fegetround();
+  const Rounding rounding;
   pm_status status = PM_FAILED;
   try {
     status = f();
@@ -54,9 +69,8 @@ pm_status undisturbed(F&& f) {
   } catch (...) {
     throw MechanismError(PM_FAILED, "a function of the plugin threw what is no std::exception");
   }
-  if (std::fegetround() == rounding) return status;
-  std::fesetround(rounding);
-  throw MechanismError(PM_FAILED, "a function of the plugin changed how numbers are rounded (fesetround) and left it so");
+  demand(!rounding.changed(), "a function of the plugin changed how numbers are rounded (fesetround) and left it so");
+  return status;
 }
 
 // The same with room for a sentence.

@@ -65,6 +65,31 @@ void make_folder(const std::filesystem::path& path) {
   if (mkdir(path.c_str(), 0777) != 0) fail("make", path, errno);
 }
 
+bool make_missing_folder(const std::filesystem::path& path) {
+  if (mkdir(path.c_str(), 0777) == 0) return true;
+  const int error = errno;
+  std::error_code none;
+  if (error == EEXIST && std::filesystem::is_directory(path, none)) return false;
+  fail("make", path, error);
+}
+
+void remove_tree(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const auto let_owner_in = [&](const fs::path& folder) { fs::permissions(folder, fs::perms::owner_all, fs::perm_options::add, ignored); };
+  if (!fs::is_directory(fs::symlink_status(path, ignored))) return;
+  let_owner_in(path);
+  for (fs::directory_iterator at(path, ignored); !ignored && at != fs::directory_iterator(); at.increment(ignored))
+    if (std::error_code none; fs::is_directory(at->symlink_status(none))) let_owner_in(at->path());
+  fs::remove_all(path, ignored);
+}
+
+bool is_still_named(const Descriptor& file, const std::filesystem::path& path) {
+  struct stat held {
+  }, named{};
+  return fstat(file.number(), &held) == 0 && lstat(path.c_str(), &named) == 0 && held.st_ino == named.st_ino && held.st_dev == named.st_dev;
+}
+
 void sync_folder(const std::filesystem::path& path) {
   const Descriptor folder(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.number() < 0) fail("open", path, errno);

@@ -29,6 +29,12 @@ class Descriptor {
 
 void write_new_file(const std::filesystem::path& path, std::string_view bytes);  // on the disk when it returns
 void make_folder(const std::filesystem::path& path);
+// Not if somebody else has made it by now, which is told by false.
+bool make_missing_folder(const std::filesystem::path& path);
+// With all in it, also where its owner may not write; what cannot be removed stays.
+void remove_tree(const std::filesystem::path& path);
+// The one before may have removed the file since it was opened; a lock on a file without a name keeps nobody out.
+bool is_still_named(const Descriptor& file, const std::filesystem::path& path);
 void sync_folder(const std::filesystem::path& path);  // its list of names is on the disk when it returns
 
 }  // namespace pmreport::document

@@ -1,6 +1,5 @@
 #include <fcntl.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -9,17 +8,6 @@
 #include <reports/document/write.hpp>
 
 namespace pmreport::document {
-
-namespace {
-
-// The one before may have removed the file between our open and our lock; a lock on a file without a name keeps nobody out.
-bool is_still_named(const Descriptor& file, const std::filesystem::path& path) {
-  struct stat held {
-  }, named{};
-  return fstat(file.number(), &held) == 0 && lstat(path.c_str(), &named) == 0 && held.st_ino == named.st_ino && held.st_dev == named.st_dev;
-}
-
-}  // namespace
 
 FolderLock::FolderLock(const std::filesystem::path& folder) : path_(folder.parent_path() / ("." + folder.filename().string() + ".lock")) {
   do {
@@ -34,7 +22,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : path_(folder.paren
     }
     if (status != 0) fail("lock", path_, errno);
   } while (!is_still_named(file_, path_));
-  now_there(path_);
+  now_there(Left::lock, path_);
 }
 
 // Removed while still locked: a waiting process then sees that its file has lost its name, and starts anew.

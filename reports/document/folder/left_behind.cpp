@@ -3,12 +3,13 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <mutex>
-#include <string>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace pmreport::document {
@@ -17,72 +18,70 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void (*on_left_behind)(const fs::path&, bool) = nullptr;
-void (*on_standing)(const fs::path&) = nullptr;
-
 // Never destroyed: it is asked at the very end.
 struct Known {
-  std::mutex guard;
-  std::vector<fs::path> paths;
+  std::timed_mutex guard;
+  std::vector<std::pair<Left, fs::path>> all;
+  std::optional<LeftBehindWatch> watch;
 };
 Known& known() {
   static Known& one = *new Known;
   return one;
 }
 
-bool has_name_of(const fs::path& path, const char* ending) {
-  const std::string name = path.filename().string();
-  return name.starts_with('.') && name.ends_with(ending);
-}
-
 // Only where nobody holds it, or this process does: one that took it over since then goes on holding the file that has the name.
 void remove_lock(const fs::path& path, bool own) {
   const Descriptor file(open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW));
-  if (own || (file.number() >= 0 && flock(file.number(), LOCK_EX | LOCK_NB) == 0)) unlink(path.c_str());
+  if (file.number() < 0 || (!own && flock(file.number(), LOCK_EX | LOCK_NB) != 0)) return;
+  if (is_still_named(file, path)) unlink(path.c_str());
 }
 
-void clear(const fs::path& path, bool own) {
-  std::error_code ignored;
-  if (has_name_of(path, ".partial"))
-    fs::remove_all(path, ignored);
-  else if (has_name_of(path, ".lock"))
-    remove_lock(path, own);
-  else
-    rmdir(path.c_str());
+void clear(Left what, const fs::path& path, bool own) {
+  switch (what) {
+    case Left::folder:
+      remove_tree(path);
+      break;
+    case Left::lock:
+      remove_lock(path, own);
+      break;
+    case Left::parent:
+      rmdir(path.c_str());
+      break;
+  }
 }
 
 }  // namespace
 
-void watch_left_behind(void (*left_behind)(const fs::path& path, bool there), void (*standing)(const fs::path&)) {
-  on_left_behind = left_behind, on_standing = standing;
+void watch_left_behind(const LeftBehindWatch& watch) {
+  const std::lock_guard lock(known().guard);
+  known().watch = watch;
 }
 
-void now_there(const fs::path& path) {
+void now_there(Left what, const fs::path& path) {
   const std::lock_guard lock(known().guard);
-  known().paths.push_back(path);
-  if (on_left_behind != nullptr) on_left_behind(path, true);
+  known().all.emplace_back(what, path);
+  if (known().watch) known().watch->there(what, path);
 }
 
 void now_gone(const fs::path& path) {
   const std::lock_guard lock(known().guard);
-  std::erase(known().paths, path);
-  if (on_left_behind != nullptr) on_left_behind(path, false);
+  std::erase_if(known().all, [&](const auto& one) { return one.second == path; });
+  if (known().watch) known().watch->gone(path);
 }
 
 void now_standing(const fs::path& folder) {
-  if (on_standing != nullptr) on_standing(folder);
+  const std::lock_guard lock(known().guard);
+  if (known().watch) known().watch->standing(folder);
 }
 
-void clear_left_behind(const fs::path& path) noexcept try { clear(path, false); } catch (...) {
+void clear_left_behind(Left what, const fs::path& path) noexcept try { clear(what, path, false); } catch (...) {
 }
 
+// Who hangs with the list in hand keeps it: then all stays for the next run to clear.
 void clear_all_left_behind() noexcept try {
-  std::vector<fs::path> paths;
-  {
-    const std::unique_lock lock(known().guard, std::try_to_lock);  // who holds it may hang
-    paths = known().paths;
-  }
-  for (auto path = paths.rbegin(); path != paths.rend(); ++path) clear(*path, true);
+  const std::unique_lock lock(known().guard, std::chrono::seconds(1));
+  if (!lock) return;
+  for (auto one = known().all.rbegin(); one != known().all.rend(); ++one) clear(one->first, one->second, true);
 } catch (...) {
 }
 

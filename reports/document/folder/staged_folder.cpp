@@ -85,10 +85,7 @@ constexpr std::string_view filled = ".partial", set_aside = ".partial.old";
 // What a killed run has left. Who holds the lock is the only one at work, so every other is dead, whatever its number says by now.
 void remove_stale(const fs::path& target) {
   for (const std::string_view ending : {filled, set_aside})
-    for (const fs::path& path : left_beside(target, ending)) {
-      std::error_code ignored;
-      fs::remove_all(path, ignored);
-    }
+    for (const fs::path& path : left_beside(target, ending)) remove_tree(path);
 }
 
 // A run that was killed between the two renames of put_in_place_by_two_renames has left no report in place: the one that was there returns.
@@ -121,9 +118,9 @@ MadeParents::MadeParents(const fs::path& folder) {
   if (error) fail("reach", folder, error.value());
   try {
     for (auto path = missing.rbegin(); path != missing.rend(); ++path) {
-      make_folder(*path);
+      if (!make_missing_folder(*path)) continue;
       made_.push_back(*path);
-      now_there(*path);
+      now_there(Left::parent, *path);
     }
   } catch (...) {
     take_back();
@@ -147,12 +144,11 @@ void MadeParents::keep() {
 
 TemporaryFolder::TemporaryFolder(fs::path path) : path_(std::move(path)) {
   make_folder(path_);
-  now_there(path_);
+  now_there(Left::folder, path_);
 }
 
 TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
+  remove_tree(path_);
   now_gone(path_);
 }
 
@@ -172,8 +168,8 @@ void StagedFolder::commit() {
   }
   sync_folder(partial_.path());
   refuse_foreign(target_);  // again: somebody may have saved a note there while the report was drawn
-  // Who may look into a report is for its owner to say, and stays so.
-  if (struct stat old{}; stat(target_.c_str(), &old) == 0) chmod(partial_.path().c_str(), old.st_mode & 07777);
+  // Who else may look into a report is for its owner to say, and stays so.
+  if (struct stat old{}; stat(target_.c_str(), &old) == 0) chmod(partial_.path().c_str(), (old.st_mode & 07777) | S_IRWXU);
   if (!put_in_place(partial_.path(), target_)) fail("replace", target_, errno);
   parents_.keep();
   now_standing(target_);
@@ -199,8 +195,7 @@ bool put_in_place_by_two_renames(const fs::path& fresh, const fs::path& old) {
     errno = error;
     return false;
   }
-  std::error_code ignored;
-  fs::remove_all(away, ignored);
+  remove_tree(away);
   return true;
 }
 

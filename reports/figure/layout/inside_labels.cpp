@@ -1,4 +1,5 @@
 #include <reports/figure/layout/label_groups.hpp>
+#include <reports/figure/layout/layout.hpp>
 
 #include <algorithm>
 #include <array>
@@ -15,11 +16,12 @@ constexpr double inset = 2;        // [pt] from a name to the frame
 constexpr double moat = 3.4;       // [pt] no other curve comes nearer to a name than this
 constexpr double own_reach = 2.2;  // [pt] of a leader that lie on its own curve's ink
 
-void mark(Occupancy& ink, const Trace& trace) {
+void mark(Occupancy& ink, const Trace& trace, const Frame& frame) {
   for (const Stroke& stroke : trace.strokes)
     for (std::size_t i = 0; i + 1 < stroke.size(); ++i) ink.mark(stroke[i], stroke[i + 1]);
   for (const Point dot : trace.dots) ink.mark(Box{dot.x, dot.y, 0, 0}.grown(mark_radius));
-  for (const Exit& exit : trace.exits) ink.mark(Box{exit.x - 2, 0, 4, 4});
+  for (const Exit& exit : trace.exits)
+    ink.mark(Box{exit.x - exit_mark / 2, exit.above ? 0 : frame.height - exit_mark, exit_mark, exit_mark});
 }
 
 struct Candidate {
@@ -33,13 +35,13 @@ class Inside {
   Inside(const Panel& panel, const std::vector<Trace>& traces, const std::vector<double>& lines, const Frame& frame,
          const std::vector<LabelGroup>& groups)
       : traces_(traces), frame_(frame), groups_(groups), all_(frame.width, frame.height) {
-    for (std::size_t i = 0; i < panel.series.size(); ++i) mark(all_, traces[i]);
+    for (std::size_t i = 0; i < panel.series.size(); ++i) mark(all_, traces[i], frame);
     for (const double y : lines) all_.mark({0, y}, {frame.width, y});
     all_.seal();
     for (const LabelGroup& g : groups) {
       Occupancy others(frame.width, frame.height);
       for (std::size_t i = 0; i < panel.series.size(); ++i)
-        if (std::find(g.series.begin(), g.series.end(), static_cast<int>(i)) == g.series.end()) mark(others, traces[i]);
+        if (std::find(g.series.begin(), g.series.end(), static_cast<int>(i)) == g.series.end()) mark(others, traces[i], frame);
       for (const double y : lines) others.mark({0, y}, {frame.width, y});
       others.seal();
       others_.push_back(std::move(others));

@@ -21,12 +21,18 @@ Text text_of(cairo_t* cr, const Mark& mark) {
 
 bool inside(Point p, const Frame& frame) { return Box{0, 0, frame.width, frame.height}.contains(p); }
 
+// A curve that leaves the frame is marked where it does: its number says how far it goes.
+Point place_of(const Mark& mark, const Frame& frame) {
+  const Point at = to_page(frame, mark.x, mark.y);
+  return {at.x, std::clamp(at.y, 0.0, frame.height)};
+}
+
 }  // namespace
 
 std::vector<Box> place_marks(cairo_t* cr, const std::vector<Mark>& marks, const Occupancy& ink, const Frame& frame) {
   std::vector<Box> out;
   for (const Mark& mark : marks) {
-    const Point at = to_page(frame, mark.x, mark.y);
+    const Point at = place_of(mark, frame);
     out.push_back({at.x, at.y, 0, 0});
     if (!inside(at, frame)) continue;
     const Extents size = text_of(cr, mark).extents();
@@ -50,7 +56,7 @@ std::vector<Box> place_marks(cairo_t* cr, const std::vector<Mark>& marks, const 
 
 void draw_marks(cairo_t* cr, const std::vector<Mark>& marks, const std::vector<Box>& places, const Frame& frame) {
   for (std::size_t i = 0; i < std::min(marks.size(), places.size()); ++i) {
-    const Point at = to_page(frame, marks[i].x, marks[i].y);
+    const Point at = place_of(marks[i], frame);
     if (!inside(at, frame)) continue;
     const Colour colour = line_style(marks[i].style).colour;
     cairo_new_sub_path(cr);

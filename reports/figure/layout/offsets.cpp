@@ -48,6 +48,9 @@ Panel set_off(const Panel& panel, double share) {
   const Interval shown = y_range(panel);
   for (const Line& line : panel.lines)
     if (line.y >= shown.low && line.y <= shown.high) return panel;
+  std::vector<double> limits;
+  for (const Line& line : panel.lines)
+    if (std::isfinite(line.y)) limits.push_back(line.y);
   std::vector<Reach> reaches;
   double movement = 0, size = 0;
   for (const Series& s : panel.series) {
@@ -59,13 +62,11 @@ Panel set_off(const Panel& panel, double share) {
   }
   if (movement > share * (shown.high - shown.low) || movement <= rounding * size) return panel;
   const double step = step_for(movement);
-  std::vector<double> offsets;
-  for (const Reach& reach : reaches) {
-    offsets.push_back(reach.empty() ? 0 : std::round(reach.middle() / step) * step);
-  }
   Panel out = panel;
+  out.lines.clear();  // they are of the values themselves
+  out.note = limits_off_scale(limits, panel.y.unit);
   for (std::size_t i = 0; i < out.series.size(); ++i) {
-    const double offset = offsets[i];
+    const double offset = reaches[i].empty() ? 0 : std::round(reaches[i].middle() / step) * step;
     if (offset == 0) continue;
     for (double& y : out.series[i].y) y -= offset;
     out.series[i].label += less(offset, step, panel.y.unit);

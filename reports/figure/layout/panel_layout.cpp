@@ -137,17 +137,12 @@ void label_lines(cairo_t* cr, const Panel& panel, const Occupancy& ink, PanelLay
   }
 }
 
-// "limits 760 to 1410 mm off the scale"; empty where none is. Two of a sign apart are told as one, "±600 N".
-std::string limits_off_scale(const Panel& panel, const PanelLayout& layout) {
+// Of those that this panel does not show.
+std::string limits_note(const Panel& panel, const PanelLayout& layout) {
   std::vector<double> off;
   for (const Line& line : panel.lines)
     if (line.forbids != Line::Forbids::nothing && !(line.y >= layout.y.low && line.y <= layout.y.high)) off.push_back(line.y);
-  if (off.empty()) return "";
-  std::sort(off.begin(), off.end());
-  const std::string unit = panel.y.unit.empty() || panel.y.unit == "°" ? panel.y.unit : " " + panel.y.unit;
-  const double low = off.front(), high = off.back();
-  if (low == high) return "limit " + typeset(low, 4) + unit + " off the scale";
-  return "limits " + (low == -high ? "±" + typeset(high, 4) : typeset(low, 4) + " to " + typeset(high, 4)) + unit + " off the scale";
+  return limits_off_scale(off, panel.y.unit);
 }
 
 // "▲ F₁ clipped, reaches 3.1×10⁵ N": which curves leave the frame on one side, and how far the farthest of them goes.
@@ -172,7 +167,8 @@ std::string note_of_side(const Panel& panel, const PanelLayout& layout, bool abo
 
 std::string spike_note(const Panel& panel, const PanelLayout& layout) {
   std::string note;
-  for (const std::string& part : {note_of_side(panel, layout, true), note_of_side(panel, layout, false), limits_off_scale(panel, layout)})
+  for (const std::string& part :
+       {note_of_side(panel, layout, true), note_of_side(panel, layout, false), limits_note(panel, layout), panel.note})
     note += (note.empty() || part.empty() ? "" : "   ") + part;
   return note;
 }
@@ -252,7 +248,7 @@ PanelLayout lay_out_panel(cairo_t* cr, const Panel& panel, double width, double 
   if (shared) {
     const Ground ground = arrange(cr, panel, y, width, height, layout);
     layout.mark_labels = place_marks(cr, panel.marks, ground.ink, layout.window);
-    layout.spike_note.clear();
+    layout.spike_note.clear();  // the marks say how far a curve goes that leaves the frame
     return layout;
   }
   const std::optional<Interval> named = name_curves(cr, panel, y, width, height, layout);

@@ -130,4 +130,13 @@ EqualFrame fit_equal(Interval x, Interval y, double width, double height) {
   return {across, down, wide, high};
 }
 
+std::string limits_off_scale(std::vector<double> limits, const std::string& unit) {
+  if (limits.empty()) return "";
+  std::sort(limits.begin(), limits.end());
+  const std::string beside = unit.empty() || unit == "°" ? unit : " " + unit;
+  const double low = limits.front(), high = limits.back();
+  if (low == high) return "limit " + typeset(low, 4) + beside + " off the scale";
+  return "limits " + (low == -high ? "±" + typeset(high, 4) : typeset(low, 4) + " to " + typeset(high, 4)) + beside + " off the scale";
+}
+
 }  // namespace pmreport::figure

@@ -1,6 +1,9 @@
 // Which part of the plane a panel shows.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include <reports/figure/figure.hpp>
 #include <reports/figure/layout/axis.hpp>
 
@@ -23,5 +26,8 @@ struct EqualFrame {
 };
 EqualFrame fit_equal(Interval x, Interval y, double width, double height);
 constexpr double least_equal_width = 110, least_equal_height = 64;  // [pt]
+
+// "limits 760 to 1410 mm off the scale" of these limits, of two of a sign apart "limits ±600 N off the scale"; empty where there are none.
+std::string limits_off_scale(std::vector<double> limits, const std::string& unit);
 
 }  // namespace pmreport::figure

@@ -2,6 +2,7 @@
 
 #include <reports/document/folder/file.hpp>
 #include <reports/document/write.hpp>
+#include <reports/program/worker/worker.hpp>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -19,6 +20,7 @@ namespace pmreport::program {
 namespace {
 
 constexpr std::size_t most_told = 16384;  // [bytes]: whoever says more is not kept
+constexpr int between_looks = 50;         // [ms], at whether the child has ended or is to
 
 using document::Descriptor;
 
@@ -35,12 +37,17 @@ pid_t start(const std::vector<std::string>& arguments, const Pipe& out, const Pi
   std::vector<char*> argv{const_cast<char*>("pmreport")};
   for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
   argv.push_back(nullptr);
+  std::string mark = mark_of_many();
+  std::vector<char*> environment;
+  for (char** e = environ; *e != nullptr; ++e) environment.push_back(*e);
+  environment.push_back(mark.data());
+  environment.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, out.in.number(), STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, err.in.number(), STDERR_FILENO);
   pid_t pid = -1;
-  const int error = posix_spawn(&pid, "/proc/self/exe", &actions, nullptr, argv.data(), environ);
+  const int error = posix_spawn(&pid, "/proc/self/exe", &actions, nullptr, argv.data(), environment.data());
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) throw std::system_error(error, std::generic_category(), "no process of its own for a scenario");
   return pid;
@@ -62,9 +69,16 @@ ChildResult run_again(const std::vector<std::string>& arguments, bool (*stop)(),
     }
   };
   std::array<pollfd, 2> streams{pollfd{out.out.number(), POLLIN, 0}, pollfd{err.out.number(), POLLIN, 0}};
+  int status = 0;
+  bool gone = false;
+  // Not until both streams close: a process that a plugin has left may hold them.
   while (streams[0].fd >= 0 || streams[1].fd >= 0) {
     end_when_asked();
-    if (poll(streams.data(), streams.size(), 1000) < 0 && errno != EINTR) break;  // a signal that comes just before is seen a second later
+    const int ready = poll(streams.data(), streams.size(), gone ? 0 : between_looks);
+    if (ready < 0 && errno != EINTR) break;
+    if (ready == 0 && gone) break;
+    if (!gone && waitpid(pid, &status, WNOHANG) == pid) gone = true;
+    if (ready <= 0) continue;
     for (pollfd& stream : streams) {
       if (stream.fd < 0 || stream.revents == 0) continue;
       char bytes[4096];
@@ -81,8 +95,12 @@ ChildResult run_again(const std::vector<std::string>& arguments, bool (*stop)(),
       std::fflush(stdout);
     }
   }
-  int status = 0;
-  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) end_when_asked();
+  while (!gone) {
+    const pid_t ended = waitpid(pid, &status, 0);
+    if (ended < 0 && errno != EINTR) throw std::system_error(errno, std::generic_category(), "nobody knows how a scenario ended");
+    gone = ended == pid;
+    if (!gone) end_when_asked();
+  }
   if (stop()) throw document::Interrupted("interrupted");
   result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return result;

@@ -26,17 +26,19 @@ namespace {
 
 constexpr const char* mark = "PMREPORT_WORKER";  // "PARENT:NOTES:LIFE", process number and file descriptors
 constexpr const char* mark_left_out = "PMREPORT_WORKER_LEFT_OUT";
-constexpr char between = '\x1e';          // two libraries
-constexpr std::chrono::seconds grace{5};  // between the end of the parent and the end by force
+constexpr const char* mark_many = "PMREPORT_WORKER_OF_MANY";  // the process that makes several reports
+constexpr char between = '\x1e';                              // two libraries
+constexpr std::chrono::seconds grace{5};                      // between the end of the parent and the end by force
 
 void tell_loading(const std::filesystem::path& file, bool begins) {
   if (!begins) name_plugin(file.c_str());
   say(begins ? Note::loading : Note::loaded, file.c_str());
 }
 
-void tell_left_behind(const std::filesystem::path& path, bool there) { say(there ? Note::left_behind : Note::removed, path.c_str()); }
-
-void tell_standing(const std::filesystem::path& folder) { say(Note::standing, folder.c_str()); }
+constexpr document::LeftBehindWatch tell_left_behind{
+    [](document::Left what, const std::filesystem::path& path) { say(static_cast<Note>(what), path.c_str()); },
+    [](const std::filesystem::path& path) { say(Note::removed, path.c_str()); },
+    [](const std::filesystem::path& folder) { say(Note::standing, folder.c_str()); }};
 
 // Nobody waits for an orphan's report: it is interrupted as by SIGTERM, and where it hangs in a step, it clears away and ends.
 void end_with_parent(int life) {
@@ -64,6 +66,15 @@ void leave_out(std::string_view all) {
 
 }  // namespace
 
+std::string mark_of_many() { return fmt::format("{}={}", mark_many, getpid()); }
+
+void end_with_many() {
+  const char* value = std::getenv(mark_many);
+  if (value == nullptr || getppid() != std::atoi(value)) return;
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (getppid() != std::atoi(value)) raise(SIGTERM);
+}
+
 std::vector<std::string> marks_of_worker(int notes, int life, const std::vector<std::string>& left_out) {
   return {fmt::format("{}={}:{}:{}", mark, getpid(), notes, life),
           fmt::format("{}={}", mark_left_out, fmt::join(left_out, std::string(1, between)))};
@@ -84,7 +95,7 @@ bool begin_as_worker() {
   leave_last_words();
   keep_results_apart();
   host::watch_loading(tell_loading);
-  document::watch_left_behind(tell_left_behind, tell_standing);
+  document::watch_left_behind(tell_left_behind);
   if (const char* left_out = std::getenv(mark_left_out)) leave_out(left_out);
   try {
     std::thread(end_with_parent, static_cast<int>(life)).detach();

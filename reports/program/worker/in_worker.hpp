@@ -10,7 +10,7 @@ namespace pmreport::program {
 // closes when this process ends, and libraries that crashed while they were loaded, "FILE\nSIGNAL".
 std::vector<std::string> marks_of_worker(int notes, int life, const std::vector<std::string>& left_out);
 
-// False: this process is none. Else its notes find their way, crashes are told, and it ends when its parent does.
-bool begin_as_worker();
+// Where this process makes one report of several.
+void end_with_many();
 
 }  // namespace pmreport::program

@@ -67,11 +67,16 @@ void blame_the_stack() {
 }
 
 void on_crash(int signal) {
+  const char number[] = {static_cast<char>('0' + signal / 10), static_cast<char>('0' + signal % 10), '\0'};
+  if (!silent) say(Note::signal, number);  // first: the search may not come to an end
   blame_the_stack();
   raise(signal);  // its own action is back: the process ends as if nobody had looked
 }
 
-void on_exit() { blame_the_stack(); }
+void on_exit() {
+  blame_the_stack();
+  alarm(0);
+}
 
 [[noreturn]] void on_terminate() {
   try {

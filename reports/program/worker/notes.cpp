@@ -43,11 +43,16 @@ void Heard::take_one(Note note, std::string text) {
     case Note::loaded:
       loading.clear();
       break;
-    case Note::left_behind:
-      left_behind.push_back(std::move(text));
+    case Note::folder:
+    case Note::lock:
+    case Note::parent:
+      left_behind.emplace_back(note, std::move(text));
       break;
     case Note::removed:
-      std::erase(left_behind, text);
+      std::erase_if(left_behind, [&](const auto& one) { return one.second == text; });
+      break;
+    case Note::signal:
+      signal = std::atoi(text.c_str());
       break;
     case Note::standing:
       standing = std::move(text);

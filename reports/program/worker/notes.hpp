@@ -3,21 +3,25 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace pmreport::program {
 
 // One letter, a text, a zero byte. Each is written in one piece, which a pipe keeps whole up to 4096 bytes.
 enum class Note : char {
-  loading = 'O',      // a library is about to be loaded: its file
-  loaded = 'o',       // it was
-  left_behind = 'T',  // a file or folder that must not outlive the run
-  removed = 't',      // it is gone
-  standing = 'S',     // the report is in its place: its folder
-  in_plugin = 'P',    // a crash, or an exit, within a plugin: its file
-  in_library = 'L',   // within something else: its file
-  no_memory = 'M',    // memory ran out where nothing could be said
-  done = 'D'          // the regular end: the exit status
+  loading = 'O',     // a library is about to be loaded: its file
+  loaded = 'o',      // it was
+  folder = 'T',      // must not outlive the run: its path; letters as of document::Left
+  lock = 'K',        // likewise
+  parent = 'W',      // likewise, while it is empty
+  removed = 't',     // one of these is gone
+  standing = 'S',    // the report is in its place: its folder
+  signal = 'G',      // that ends the process: its number
+  in_plugin = 'P',   // a crash, or an exit, within a plugin: its file
+  in_library = 'L',  // within something else: its file
+  no_memory = 'M',   // memory ran out where nothing could be said
+  done = 'D'         // the regular end: the exit status
 };
 
 // In a worker: whither. Nothing is said before.
@@ -29,8 +33,9 @@ void say(Note note, const char* text) noexcept;
 struct Heard {
   void take(std::string_view bytes);  // as they come, in pieces of any size
 
-  std::string loading;                   // the library that is being loaded; empty: none is
-  std::vector<std::string> left_behind;  // in the order in which they came
+  std::string loading;                                    // the library that is being loaded; empty: none is
+  std::vector<std::pair<Note, std::string>> left_behind;  // in the order in which they came
+  int signal = 0;                                         // none
   std::string standing, in_plugin, in_library;
   bool no_memory = false;
   int done = -1;  // the exit status; negative: not yet

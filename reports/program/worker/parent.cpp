@@ -135,7 +135,11 @@ End attend(pid_t pid, const Descriptor& notes, double timeout) {
     poll(&stream, 1, between_looks);
     if (open) listen(notes, end.heard, open);
     const pid_t ended = waitpid(pid, &end.status, WNOHANG);
-    if (ended == pid || (ended < 0 && errno != EINTR)) break;
+    if (ended == pid) break;
+    if (ended < 0 && errno != EINTR) {  // nobody knows how it ended
+      end.status = SIGKILL;
+      break;
+    }
     const auto now = Clock::now();
     if (end.heard.done >= 0 && !patience) patience = now + farewell;
     if (handed_on != 0 && !patience) patience = now + grace;
@@ -186,11 +190,11 @@ int tell_end(const End& end, double timeout) {
            WEXITSTATUS(end.status), in_plugin.empty() ? fmt::format(" in {}", printable(heard.in_library)) : where, untouched(heard));
     return worker_crashed;
   }
-  const int signal = WTERMSIG(end.status);
+  const int signal = heard.signal > 0 ? heard.signal : WTERMSIG(end.status);
   if (handed_on == signal) return 128 + signal;
   if (signal == SIGKILL || signal == SIGXCPU) {
-    tell("error: the work was killed by {}, perhaps for lack of memory or time; ask for fewer samples or smaller pictures; {}\n",
-         name_of(signal), untouched(heard));
+    tell("error: the work was killed (signal {}), perhaps for lack of memory or time; ask for fewer samples or smaller pictures; {}\n",
+         signal, untouched(heard));
     return worker_limited;
   }
   if (in_plugin.empty() && !heard.in_library.empty()) {
@@ -208,7 +212,7 @@ int tell_end(const End& end, double timeout) {
 }  // namespace
 
 std::optional<int> run_in_worker(char** argv, double timeout) {
-  if (begin_as_worker()) return std::nullopt;
+  end_with_many();
   std::vector<std::string> left_out;
   while (true) {
     Pipe notes, life;
@@ -220,11 +224,13 @@ std::optional<int> run_in_worker(char** argv, double timeout) {
     if (pid < 0) return std::nullopt;
     const End end = attend(pid, notes.out, timeout);
     if (end.heard.done < 0)
-      for (auto path = end.heard.left_behind.rbegin(); path != end.heard.left_behind.rend(); ++path) document::clear_left_behind(*path);
-    const bool crashed = WIFSIGNALED(end.status) && !end.killed && handed_on == 0;
+      for (auto path = end.heard.left_behind.rbegin(); path != end.heard.left_behind.rend(); ++path)
+        document::clear_left_behind(static_cast<document::Left>(path->first), path->second);
+    const bool by_itself = WIFSIGNALED(end.status) && WTERMSIG(end.status) != SIGKILL;
+    const bool crashed = (end.heard.signal > 0 || by_itself) && !end.killed && handed_on == 0;
     if (end.heard.done >= 0 || !crashed || end.heard.loading.empty() || left_out.size() >= most_libraries_left_out)
       return tell_end(end, timeout);
-    left_out.push_back(fmt::format("{}\n{}", end.heard.loading, name_of(WTERMSIG(end.status))));
+    left_out.push_back(fmt::format("{}\n{}", end.heard.loading, name_of(end.heard.signal > 0 ? end.heard.signal : WTERMSIG(end.status))));
   }
 }
 

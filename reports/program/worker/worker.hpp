@@ -3,20 +3,28 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 namespace pmreport::program {
 
 // Exit status when the worker does not come to an end of its own: a plugin that crashed, and a limit of time, memory or threads.
 inline constexpr int worker_crashed = 3, worker_limited = 5;
 
-// In the program itself: runs it again as a worker with the same arguments, hands SIGINT, SIGTERM, SIGHUP and SIGQUIT on, waits, removes
+// False: this process is no worker. Else what it says finds its way to its parent, crashes are told, and it ends when its parent does. To
+// be called first of all.
+bool begin_as_worker();
+
+// Runs the program again as a worker with the same arguments, hands SIGINT, SIGTERM, SIGHUP and SIGQUIT on, waits, removes
 // what a worker that died has left, and gives the exit status; a crash is told on stderr, with the file of the plugin that is to blame. A
-// library that crashes while it is loaded is left out, and the work begun anew. `timeout` [s], 0: none. In the worker, or where no process
-// can be started: nothing, and the caller does the work.
+// library that crashes while it is loaded is left out, and the work begun anew. `timeout` [s], 0: none. Where no process can
+// be started: nothing, and the caller does the work.
 std::optional<int> run_in_worker(char** argv, double timeout);
 
-// Said by a worker at its regular end. One that ends without has been ended by a plugin: its exit status means nothing. What a plugin does
-// later, as its library is unloaded, costs nobody a finished report.
+// In the environment of a program that makes one report of several: it ends when the one that started it does.
+std::string mark_of_many();
+
+// Said by a worker at its regular end, and of no effect elsewhere. One that ends without has been ended by a plugin: its exit status means
+// nothing. What a plugin does later, as its library is unloaded, costs nobody a finished report.
 void worker_done(int status);
 
 }  // namespace pmreport::program

@@ -138,7 +138,10 @@ class Sketch {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
     const Vector3d extent = solver.eigenvalues().cwiseMax(0).cwiseSqrt();
     if (!(extent(1) > 0.05 * extent(2)) || extent(0) > 0.03 * extent(2)) return std::nullopt;
-    const Vector3d n = solver.eigenvectors().col(0), u = solver.eigenvectors().col(2), v = n.cross(u);
+    // Axes in the plane: of a regular polygon no direction is its own, and rounding would choose one.
+    Vector3d n = solver.eigenvectors().col(0);
+    if (n.sum() < 0) n = -n;
+    const Vector3d out = points.front() - mean, u = (out - out.dot(n) * n).normalized(), v = n.cross(u);
     Flat flat;
     // From the lowest point round about, each time to the one that leaves all others to its left.
     std::vector<Vector2d> p;

@@ -45,6 +45,7 @@ Scene build(const Machine& machine, const Overlay& overlay, const Extras& extras
     for (Solid& s : other.solids) {
       if (s.body == 0) continue;
       if (overlay.returns || k + 1 < poses.size()) s.color.a = between;
+      s.body += static_cast<int>(k * machine.topology().bodies.size());  // each pose has its own outlines
       scene.solids.push_back(std::move(s));
     }
   }

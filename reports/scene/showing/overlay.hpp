@@ -16,7 +16,7 @@ struct Mark {  // a dot on the path, and what is written at it
 // labels those of the frames and the actuators of the first pose: names of joints, pose by pose, would hide what they name.
 struct Overlay {
   std::vector<mechanics::Pose> poses;
-  bool returns = false;  // the motion ends where it began, and not in the last of these poses
+  bool returns = false;  // the motion ends where it began, as far as one sees, and not in the last of these poses
   std::vector<Mark> marks;
 };
 Scene build(const mechanics::Machine& machine, const Overlay& overlay, const Extras& extras);

@@ -68,6 +68,7 @@ std::string constants(const Analysis& a, const std::string& unit, const std::vec
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const double x : a.column(c.column))
       if (std::isfinite(x)) low = std::min(low, x), high = std::max(high, x);
+    if (low > high) return "";
     // Rounding of the value itself and of the terms it is the sum of.
     if (!(high - low <= std::max(nothing, noise_of(std::max(std::abs(low), std::abs(high)))))) return "";
     const double value = shown(low / 2 + high / 2, nothing) * d.per_si;
@@ -174,7 +175,8 @@ struct Notation {
   bool suits(const Ends& e) const {
     if (decimals < 0) return false;
     const double scale = std::pow(10.0, decimals) * unit.per_si, span = e.largest - e.smallest;
-    return (e.size() == 0 || e.size() * scale >= std::pow(10.0, digits_of_span - 1)) &&
+    const auto vanishes = [&](double si) { return si != 0 && std::round(si * scale) == 0; };
+    return !vanishes(e.smallest) && !vanishes(e.largest) && (e.size() == 0 || e.size() * scale >= std::pow(10.0, digits_of_span - 1)) &&
            (span <= e.nothing || span * scale >= std::pow(10.0, digits_of_span - 1));
   }
   std::string number(double si) const { return si == 0 ? "0" : fmt::format("{:.{}f}", si * unit.per_si, decimals); }

@@ -75,7 +75,9 @@ View Stage::main_view() const {
 }
 
 bool Stage::base_in_front(const View& view) const {
-  return scene::base_is_in_front(analysis_.machine(), looked_at_, bounds_, {view.azimuth, view.elevation});
+  const auto [known, fresh] = base_in_front_.try_emplace({view.azimuth, view.elevation}, false);
+  if (fresh) known->second = scene::base_is_in_front(analysis_.machine(), looked_at_, bounds_, {view.azimuth, view.elevation});
+  return known->second;
 }
 
 scene::Extras Stage::extras_of(const Look& look) const {
@@ -130,6 +132,16 @@ Stage::Ordered Stage::picture(int sample, const View& view, const Look& look, co
                  {look.width, look.height, look.transparent, 2, look.printed});
 }
 
+// Of the platform, but for rounding.
+bool Stage::at_one_place(int a, int b) const {
+  const mechanics::Machine& m = analysis_.machine();
+  const mechanics::Pose one = analysis_.pose(a), other = analysis_.pose(b);
+  const int platform = m.topology().platform;
+  constexpr double rounding = 1e-9;  // of the machine's size, and of a radian
+  return (m.origin(one, platform) - m.origin(other, platform)).norm() <= rounding * scene::overall_size(m) &&
+         (m.rotation(one, platform) - m.rotation(other, platform)).norm() <= rounding;
+}
+
 Stage::Ordered Stage::overlay(const std::vector<int>& samples, const View& view, const Look& look, const std::string& id) const {
   const View from = resolved(view);
   scene::Extras extras = extras_of(look);
@@ -137,7 +149,8 @@ Stage::Ordered Stage::overlay(const std::vector<int>& samples, const View& view,
   complete(extras, from);
   int last = analysis_.samples() - 1;
   while (last > samples.back() && analysis_.outcome(last) == Outcome::unreachable) --last;
-  scene::Overlay overlay{{}, last != samples.back(), times_on_path()};
+  const bool alike = last != samples.back(), returns = alike && at_one_place(samples.front(), last);
+  scene::Overlay overlay{{}, alike, times_on_path()};
   std::vector<std::string> times;
   for (const int k : samples) {
     overlay.poses.push_back(analysis_.pose(k));
@@ -145,7 +158,9 @@ Stage::Ordered Stage::overlay(const std::vector<int>& samples, const View& view,
   }
   const scene::Camera camera = scene::frame(bounds_, from.azimuth, from.elevation, static_cast<double>(look.width) / look.height);
   const std::string caption = fmt::format("The motion, {}: poses at t = {}, the first{} solid{}.", words(from), listed(times),
-                                          overlay.returns ? ", to which it returns," : " and the last",
+                                          returns ? ", to which it returns,"
+                                          : alike ? ", near which it ends,"
+                                                  : " and the last",
                                           overlay.marks.empty() ? "" : "; the path of the platform with times along it");
   return {{id, caption, "", look.width, look.height},
           studio_.take(scene::build(analysis_.machine(), overlay, extras), camera,

@@ -7,6 +7,7 @@
 #include <reports/section/common/analysis.hpp>
 
 #include <future>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,6 +65,7 @@ class Stage {
   View resolved(const View& view) const;
   View main_view() const;  // of cover and portrait
   bool base_in_front(const View& view) const;
+  bool at_one_place(int a, int b) const;
   std::vector<std::string> symbols() const;  // of the actuators
   std::vector<scene::Mark> times_on_path() const;
   scene::Extras extras_of(const Look& look) const;
@@ -73,9 +75,10 @@ class Stage {
   scene::Studio& studio_;
   scene::Bounds bounds_;
   std::vector<Eigen::Vector3d> path_;
-  std::vector<mechanics::Pose> looked_at_;   // by which views are chosen
-  double most_force_ = 0, most_moment_ = 0;  // [N], [N m] over the motion
-  mutable std::optional<View> chosen_;       // when first asked for
+  std::vector<mechanics::Pose> looked_at_;                           // by which views are chosen
+  double most_force_ = 0, most_moment_ = 0;                          // [N], [N m] over the motion
+  mutable std::optional<View> chosen_;                               // when first asked for
+  mutable std::map<std::pair<double, double>, bool> base_in_front_;  // by azimuth and elevation, likewise
 };
 
 }  // namespace pmreport::section

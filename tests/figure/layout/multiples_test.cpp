@@ -65,6 +65,23 @@ TEST_CASE("a number beside a marked point stands inside the frame") {
   }
 }
 
+TEST_CASE("a worst point beyond the scale is marked at the frame's edge, with its number") {
+  const Context cr = measuring_context();
+  Figure f = six_limbs();
+  for (std::size_t i = 0; i < f.panels.size(); i += 4) {
+    f.panels[i].series[0].y[100] = 1e4;  // a spike, which the scale leaves out
+    f.panels[i].marks = {{f.panels[i].series[0].x[100], 1e4, "10000", 0, false}};
+  }
+  const Layout layout = lay_out(cr.get(), f);
+  for (std::size_t i = 0; i < f.panels.size(); i += 4) {
+    const PanelLayout& p = layout.panels[i];
+    CHECK(p.y.high < 1e3);
+    REQUIRE(p.mark_labels.size() == 1);
+    CHECK(p.mark_labels[0].width > 5);
+    CHECK(p.mark_labels[0].y < 10);
+  }
+}
+
 TEST_CASE("beyond a line that forbids it is hatched to the frame, and a line off the scale is told") {
   const Context cr = measuring_context();
   Panel one = samples::panel({curve("l₁", 50, 10, [](double t) { return 100 + t; })});

@@ -98,3 +98,13 @@ TEST_CASE("an offset below zero is added, and a plain number has no unit") {
   for (double& y : down.series[1].y) y = -y;
   CHECK(set_off(down).series[1].label == "z + 66");
 }
+
+TEST_CASE("limits beyond the axis of curves that are set off are told, and hatch nothing") {
+  Panel p = scan();
+  p.lines = {{0.5, "stroke ends", Line::Forbids::below}, {580, "stroke ends", Line::Forbids::above}};
+  p.series[0] = curve("x", 400, 0.1, [](double t) { return 60 + 0.01 * std::sin(60 * t); });
+  const Panel after = set_off(p);
+  REQUIRE(after.series[0].label == "x − 60 mm");
+  CHECK(after.lines.empty());
+  CHECK(after.note == "limits 0.5 to 580 mm off the scale");
+}

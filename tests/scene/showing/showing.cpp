@@ -171,7 +171,8 @@ TEST_CASE("an overlay has every pose asked for, the first and the last solid, on
   const auto platforms = [&](const scene::Scene& s) {
     std::vector<std::pair<double, float>> out;  // height, opacity
     for (const Solid& x : s.solids)
-      if (x.kind == Solid::Kind::plate && x.body == m.topology().platform) out.emplace_back(x.outline.front().z(), x.color.a);
+      if (x.kind == Solid::Kind::plate && x.body % static_cast<int>(m.topology().bodies.size()) == m.topology().platform)
+        out.emplace_back(x.outline.front().z(), x.color.a);
     return out;
   };
   const auto all = platforms(scene::build(m, overlay, {}));
