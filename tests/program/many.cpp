@@ -173,8 +173,11 @@ TEST_CASE("a process that a plugin leaves behind keeps no other scenario waiting
   fs::create_directory(here / "plugins");
   fs::copy_file(fs::path(FIXTURES) / "forking.so", here / "plugins" / "forking.so");
   here.write("a.toml", slider);
-  const Result r = in(here, {"a.toml", "a.toml", "-o", "all", "--plugin-path", "plugins"});  // which ends at all
+  const Result r =
+      pmreport({"a.toml", "a.toml", "-o", "all", "--plugin-path", "plugins"}, {.folder = here.path(), .out = here / "out", .no_err = true});
   CHECK(r.status == 0);
+  CHECK(fs::exists(here / "all/index.html"));
+  CHECK_FALSE(fs::exists(here / "left-ended"));  // which it makes at its end
 }
 
 TEST_CASE("who makes several reports and is killed takes the one at work along") {

@@ -88,3 +88,14 @@ TEST_CASE("memory and threads that are not to be had are told as that, and not a
   }
   CHECK(seen.contains(5));
 }
+
+// Libraries are set up before main(), where nobody can take what they throw.
+TEST_CASE("memory that is lacking before the work has begun is no plugin's fault") {
+  if (sanitized) return;
+  const Bench bench;
+  const Result r = bench.report("malloc", 1);
+  CAPTURE(r.err);
+  CHECK(r.status == 5);
+  CHECK(r.err.find("out of memory") != std::string::npos);
+  CHECK(r.err.find("plugin") == std::string::npos);
+}

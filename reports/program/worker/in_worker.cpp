@@ -92,6 +92,7 @@ bool begin_as_worker() {
 
   signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told by its write
   say_notes_to(static_cast<int>(notes));
+  say(Note::begun, "");
   leave_last_words();
   keep_results_apart();
   host::watch_loading(tell_loading);

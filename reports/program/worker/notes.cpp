@@ -37,6 +37,9 @@ void Heard::take(std::string_view bytes) {
 
 void Heard::take_one(Note note, std::string text) {
   switch (note) {
+    case Note::begun:
+      begun = true;
+      break;
     case Note::loading:
       loading = std::move(text);
       break;

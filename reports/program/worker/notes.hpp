@@ -10,6 +10,7 @@ namespace pmreport::program {
 
 // One letter, a text, a zero byte. Each is written in one piece, which a pipe keeps whole up to 4096 bytes.
 enum class Note : char {
+  begun = 'B',       // it is at work
   loading = 'O',     // a library is about to be loaded: its file
   loaded = 'o',      // it was
   folder = 'T',      // must not outlive the run: its path; letters as of document::Left
@@ -33,6 +34,7 @@ void say(Note note, const char* text) noexcept;
 struct Heard {
   void take(std::string_view bytes);  // as they come, in pieces of any size
 
+  bool begun = false;
   std::string loading;                                    // the library that is being loaded; empty: none is
   std::vector<std::pair<Note, std::string>> left_behind;  // in the order in which they came
   int signal = 0;                                         // none

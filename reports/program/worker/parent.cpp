@@ -176,7 +176,8 @@ int tell_end(const End& end, double timeout) {
     tell("interrupted in the midst of a step that did not end; {}\n", untouched(heard));
     return 128 + handed_on;
   }
-  if (heard.no_memory) {
+  // Before it has begun no plugin has a part in what ends it: a library that could not be set up for lack of memory.
+  if (heard.no_memory || !heard.begun) {
     tell("error: out of memory; ask for fewer samples or smaller pictures; {}\n", untouched(heard));
     return worker_limited;
   }

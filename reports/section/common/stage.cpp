@@ -17,8 +17,8 @@ namespace pmreport::section {
 
 View view_at(double azimuth, double elevation) {
   constexpr double per_degree = std::numbers::pi / 180;
-  return {fmt::format("azimuth {}°, elevation {}°", format_number(azimuth / per_degree, 4), format_number(elevation / per_degree, 4)),
-          azimuth, elevation};
+  const auto degrees = [](double angle) { return typeset(format_number(angle / per_degree, 4)); };
+  return {fmt::format("azimuth {}°, elevation {}°", degrees(azimuth), degrees(elevation)), azimuth, elevation};
 }
 
 std::string words(const View& view) { return view.name.starts_with("azimuth") ? "view from " + view.name : view.name + " view"; }
