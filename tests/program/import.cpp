@@ -185,6 +185,19 @@ TEST_CASE("a hexapod of LinuxCNC has LinuxCNC's strut lengths, in mm and in inch
                            Contains("# not taken over: bench.ini:8: HALFILE io.hal was not given") && Contains("1 addf and 2 loadrt"));
 }
 
+TEST_CASE("a HOME of zeros is told as that, and not as none") {
+  const Bench bench;
+  bench.here.write("bench.hal", hal_of(crooked()));
+  for (const auto& [home, told] : {std::pair{"0 0 0 0 0 0", "[TRAJ]HOME is all zeros, in the plane of the base: home is over the base"},
+                                   std::pair{"", "No [TRAJ]HOME was given: home is over the base"}}) {
+    bench.here.write("bench.ini", ini_of("mm", home));
+    const Result made = bench.import({"bench.ini", "bench.hal"});
+    CAPTURE(made.err);
+    CHECK(made.status == 0);
+    CHECK_THAT(made.out, Contains(told));
+  }
+}
+
 TEST_CASE("joints that a HAL leaves alone are LinuxCNC's own, and told to be") {
   const Bench bench;
   const Result none = bench.import("none.hal", "loadrt genhexkins\n");

@@ -115,8 +115,10 @@ Imported hexapod(Files& m) {
     for (std::size_t i = 0; i < 6; ++i) spread = std::max({spread, h.base[i].norm(), (h.base[i] - h.base[0]).norm()});
     const bool both = stroke.lowest && stroke.highest && *stroke.lowest > 0 && *stroke.highest * m.unit().metres < most_metres;
     p = home_over_base(h, both ? (*stroke.lowest + *stroke.highest) / 2 : 1.2 * spread);
-    out.told.push_back(fmt::format("No [TRAJ]HOME was given: home is over the base, where the struts are {}.",
-                                   both ? "in the middle of their limits" : "somewhat longer than the base is wide"));
+    out.told.push_back(
+        fmt::format("{}: home is over the base, where the struts are {}.",
+                    m.ini("TRAJ", "HOME") != nullptr ? "[TRAJ]HOME is all zeros, in the plane of the base" : "No [TRAJ]HOME was given",
+                    both ? "in the middle of their limits" : "somewhat longer than the base is wide"));
   }
   const std::array<double, 6> lengths = lengths_at(h, p, r);
   const double length = mean(lengths), scale = length / 0.95;  // of the mechanism's own machine
