@@ -14,6 +14,7 @@
 #include <qpdf/QPDFWriter.hh>
 
 #include <map>
+#include <new>
 #include <reports/document/pdf/pdf_artifacts.hpp>
 
 namespace pmreport::document::pdf {
@@ -225,6 +226,8 @@ std::string finished(const std::string& drawn, const Finishing& f) {
     attach(pdf, f);
     return written(pdf);
   } catch (const OutputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {  // no fault of the output
     throw;
   } catch (const std::exception& e) {
     throw OutputError(std::string("report.pdf could not be finished: ") + e.what());
