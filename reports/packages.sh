@@ -3,7 +3,7 @@
 
 program_packages="g++ cmake ninja-build pkg-config libeigen3-dev libboost-dev libosmesa6-dev libgl-dev libcairo2-dev libpango1.0-dev
   libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libtbb-dev libnlopt-dev libpng-dev libqpdf-dev libpolyclipping-dev fonts-dejavu-core"
-test_packages="catch2 libxml2-utils locales nodejs poppler-utils qpdf"
+test_packages="catch2 libxml2-utils locales nodejs poppler-utils qpdf openmpi-bin libopenmpi-dev"
 judge_packages="libsimbody-dev libmujoco-dev calculix-ccx libmpfi-dev libflint-dev libflint-arb-dev" # other programs for the dynamics of bodies, for elasticity and for intervals, which the tests hold ours against
 style_packages="clang-format git"
 

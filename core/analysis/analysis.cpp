@@ -1,15 +1,13 @@
 #include <core/analysis/analysis.hpp>
 
 #include <core/analysis/proved_crossings.hpp>
-#include <core/analysis/samples/sample_work.hpp>
-#include <core/analysis/transmission/transmission_numbers.hpp>
+#include <core/analysis/samples/motion_blocks.hpp>
+#include <core/analysis/samples/power_balance.hpp>
 #include <core/mechanics/singularity/singularity.hpp>
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <mutex>
 
 namespace pmreport::analysis {
 
@@ -35,73 +33,51 @@ std::vector<std::pair<ColumnId, double>> bounds_of_checks(const scenario::Scenar
 
 Analysis::Analysis(const scenario::Scenario& scenario, const mechanics::Trajectory& trajectory, const mechanics::Machine& machine,
                    const Asked& asked, const Progress& progress)
-    : scenario_(scenario),
-      trajectory_(trajectory),
-      machine_(machine),
-      asked_(asked),
-      length_(characteristic_length(machine)),
-      residuals_(trajectory.time.size()) {
+    : scenario_(scenario), trajectory_(trajectory), machine_(machine), asked_(asked), length_(characteristic_length(machine)) {
   const Eigen::VectorXd home = machine.home(), still = Eigen::VectorXd::Zero(machine.dof());
   mechanics::State s;
   evaluate(machine, home.data(), still.data(), still.data(), s);
   mobility_ = mechanics::mobility(machine, s);
+  if (asked_.transmission) transmission_ = std::make_unique<const mechanics::Transmission>(machine_, asked_.transmission_length);
   run(progress);
-  if (asked_.forces) run_dynamics(progress);
-  if (asked_.stiffness) run_stiffness(progress);
-  breaches_ = find_breaches(machine.topology(), columns_);
+  breaches_ = find_breaches(machine.topology(), answers_.columns);
   proof_.unexamined = "there is no motion";
-  if (!asked_.singularities) return;
-  if (scenario.motion && samples() > 0) {
-    proof_ = prove_motion(machine, trajectory, scenario.motion->by_actuators() ? scenario.motion->over : mechanics::Enclosure{},
-                          {.decide = bounds_of_checks(scenario)});
-    progress.stop_if_asked();
-  }
-  singular_everywhere_ = mechanics::singular_everywhere(machine, length_);
-  if (singular_everywhere_) return;  // a surface that is everywhere is met nowhere
-  crossings_ = find_crossings(trajectory, machine, wrenches_, length_);
-  match_with_proof(crossings_, proof_, trajectory);
-  progress.stop_if_asked();
-  margins_ = follow_margins(trajectory, machine, length_);
-  for (const Crossing& c : margins_.losses) crossings_.push_back(c);
-  std::ranges::stable_sort(crossings_, {}, &Crossing::time);
+  if (asked_.singularities) find_singularities(progress);
 }
 
 void Analysis::run(const Progress& progress) {
-  const std::size_t n = time().size();
-  for (ColumnList* list : {displacement_columns, velocity_columns, acceleration_columns, statics_columns})
-    for (const Column& c : list(machine_.topology())) columns_.add(c, n);
-  if (asked_.transmission) {
-    transmission_ = std::make_unique<const mechanics::Transmission>(machine_, asked_.transmission_length);
-    const std::vector<Column> columns = transmission_columns(machine_.topology());
-    const std::vector<std::string> reasons = why_without(*transmission_);
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      if (reasons[i].empty()) columns_.add(columns[i], n);
-  }
-  outcomes_.assign(n, Outcome::good);
-  wrenches_.assign(n, {});
+  MotionBlocks blocks(scenario_, trajectory_, machine_, asked_, length_, transmission_.get());
+  answers_ = MotionAnswers(blocks.shape(), time().size());
+  if (samples() == 0) return;
+  const auto take = [&](std::size_t block, std::span<const std::byte> answers) {
+    answers_.take(answers, blocks.first(block), blocks.samples(block));
+    for (std::size_t k = blocks.first(block); k < blocks.first(block) + blocks.samples(block); ++k)
+      if (answers_.outcomes[k] == Outcome::failed)
+        throw mechanics::MechanismError(PM_FAILED, fmt::format("sample {}: {}", k + 1, why(static_cast<int>(k))));
+  };
+  const auto tell = [&](double share) {
+    if (share < 1) progress.say(fmt::format("{} samples: {:.0f} %", samples(), 100 * share));
+  };
+  chunks::run({"motion", blocks.meaning(), blocks.count()}, progress.sharing,
+              [&](std::size_t block) { return blocks.compute(block, progress.stop_if_asked).bytes(); }, take,
+              {tell, progress.stop_if_asked});
+  if (asked_.forces && asked_.power_evidence) balance_power(trajectory_, scenario_.load, machine_, answers_);
+}
 
-  const mechanics::Closure closure(machine_);
-  tbb::enumerable_thread_specific<SampleWork> workers(
-      [&] { return SampleWork(trajectory_, scenario_.load, machine_, closure, length_, asked_, transmission_.get()); });
-  std::mutex sentences;
-  // Blocks, so that a request to stop is heard in time; within a block every sample stands alone and the order does not matter.
-  constexpr std::size_t block = 4096;
-  for (std::size_t begin = 0; begin < n; begin += block) {
+void Analysis::find_singularities(const Progress& progress) {
+  if (scenario_.motion && samples() > 0) {
+    proof_ = prove_motion(machine_, trajectory_, scenario_.motion->by_actuators() ? scenario_.motion->over : mechanics::Enclosure{},
+                          {.decide = bounds_of_checks(scenario_)});
     progress.stop_if_asked();
-    tbb::parallel_for(begin, std::min(n, begin + block), [&](std::size_t k) {
-      SampleWork& worker = workers.local();
-      const int sample = static_cast<int>(k), neighbour = sample > 0 ? sample - 1 : std::min(1, samples() - 1);
-      outcomes_[k] = worker.run(sample, neighbour, residuals_[k], [&](const ColumnId& id, double value) { columns_.put(id, k, value); });
-      wrenches_[k] = worker.wrenches();
-      if (outcomes_[k] != Outcome::good) {
-        const std::scoped_lock lock(sentences);
-        why_[sample] = worker.why();
-      }
-    });
   }
-  for (std::size_t k = 0; k < n; ++k)
-    if (outcomes_[k] == Outcome::failed)
-      throw mechanics::MechanismError(PM_FAILED, "sample " + std::to_string(k + 1) + ": " + why_[static_cast<int>(k)]);
+  singular_everywhere_ = mechanics::singular_everywhere(machine_, length_);
+  if (singular_everywhere_) return;  // a surface that is everywhere is met nowhere
+  crossings_ = find_crossings(trajectory_, machine_, answers_.wrenches, length_);
+  match_with_proof(crossings_, proof_, trajectory_);
+  progress.stop_if_asked();
+  margins_ = follow_margins(trajectory_, machine_, length_);
+  for (const Crossing& c : margins_.losses) crossings_.push_back(c);
+  std::ranges::stable_sort(crossings_, {}, &Crossing::time);
 }
 
 std::vector<Column> Analysis::columns_of(ColumnList* list) const {
@@ -110,13 +86,7 @@ std::vector<Column> Analysis::columns_of(ColumnList* list) const {
   return out;
 }
 
-int Analysis::count(Outcome c) const { return static_cast<int>(std::count(outcomes_.begin(), outcomes_.end(), c)); }
-
-const std::string& Analysis::why(int sample) const {
-  static const std::string none;
-  const auto found = why_.find(sample);
-  return found != why_.end() ? found->second : none;
-}
+int Analysis::count(Outcome c) const { return static_cast<int>(std::ranges::count(answers_.outcomes, c)); }
 
 std::vector<SampleRun> Analysis::unreachable() const {
   return runs(samples(), [&](int k) { return outcome(k) == Outcome::unreachable; });

@@ -11,15 +11,11 @@
 #include <core/analysis/margins.hpp>
 #include <core/analysis/progress.hpp>
 #include <core/analysis/proof/proof.hpp>
-#include <core/analysis/residuals.hpp>
-#include <core/analysis/samples/elastic_reactions.hpp>
+#include <core/analysis/samples/motion_answers.hpp>
 #include <core/mechanics/mobility/mobility_count.hpp>
-#include <core/mechanics/model/outcome.hpp>
-#include <core/mechanics/reactions/reactions.hpp>
 #include <core/mechanics/transmission/transmission.hpp>
 #include <core/scenario/scenario.hpp>
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,7 +28,8 @@ using mechanics::Outcome;
 class Analysis {
  public:
   // All three must live as long. A trajectory of no samples: there is no motion, and the machine is known at home alone. Throws
-  // mechanics::MechanismError when the plugin breaks down on the way.
+  // mechanics::MechanismError when the plugin breaks down on the way, and what chunks::run throws: Elsewhere where the samples of the
+  // motion are left to others.
   Analysis(const scenario::Scenario& scenario, const mechanics::Trajectory& trajectory, const mechanics::Machine& machine,
            const Asked& asked, const Progress& progress);
 
@@ -45,28 +42,32 @@ class Analysis {
   // Those columns of a list that this run has, in its order: forces in motion when something asks for them, motor columns where a motor is
   // given.
   std::vector<Column> columns_of(ColumnList* list) const;
-  bool has(const ColumnId& id) const { return columns_.has(id); }
+  bool has(const ColumnId& id) const { return answers_.columns.has(id); }
   // NaN where a sample has no value.
-  const std::vector<double>& column(const ColumnId& id) const { return columns_[id]; }
-  double largest(const std::vector<ColumnId>& columns) const { return columns_.largest(columns); }  // magnitude over the samples
+  const std::vector<double>& column(const ColumnId& id) const { return answers_.columns[id]; }
+  // To who has the last use of it: of a long motion there is no room for two.
+  std::vector<double> release(const ColumnId& id) { return answers_.columns.release(id); }
+  double largest(const std::vector<ColumnId>& columns) const { return answers_.columns.largest(columns); }  // magnitude over the samples
 
-  Outcome outcome(int sample) const { return outcomes_[static_cast<std::size_t>(sample)]; }
+  Outcome outcome(int sample) const { return answers_.outcomes[static_cast<std::size_t>(sample)]; }
   int count(Outcome c) const;
-  const std::string& why(int sample) const;  // of a sample that is not good
-  Worst worst(Measure m, double tolerance = std::numeric_limits<double>::infinity()) const { return residuals_.worst(m, tolerance); }
+  const std::string& why(int sample) const { return answers_.reason(sample); }  // of a sample that is not good
+  Worst worst(Measure m, double tolerance = std::numeric_limits<double>::infinity()) const {
+    return answers_.residuals.worst(m, tolerance);
+  }
 
   // What the section transmission asks of; null where nobody does.
   const mechanics::Transmission* transmission() const { return transmission_.get(); }
 
-  bool has_dynamics() const { return asked_.forces; }                                 // a section or a limit asks for forces in motion
-  const std::vector<Indeterminate>& indeterminate() const { return indeterminate_; }  // of each joint, in any sample
-  int self_stresses() const { return self_stresses_; }                                // most in any sample
-  const ElasticReactions& elastic_reactions() const { return elastic_; }  // of joint reactions; indeterminate() is without what is settled
+  bool has_dynamics() const { return asked_.forces; }  // a section or a limit asks for forces in motion
+  const std::vector<Indeterminate>& indeterminate() const { return answers_.reactions.indeterminate; }  // of each joint, in any sample
+  int self_stresses() const { return answers_.reactions.self_stresses; }                                // most in any sample
+  const ElasticReactions& elastic_reactions() const { return answers_.reactions.elastic; }              // of joint reactions
 
   // At every sample, at the tool, in the axes of section `stiffness`; NaN where there is none. Empty: nobody asked.
-  const std::vector<mechanics::Matrix6d>& compliances() const { return compliances_; }
+  const std::vector<mechanics::Matrix6d>& compliances() const { return answers_.compliances; }
 
-  const HoldingWrenches& wrenches(int sample) const { return wrenches_[static_cast<std::size_t>(sample)]; }
+  const HoldingWrenches& wrenches(int sample) const { return answers_.wrenches[static_cast<std::size_t>(sample)]; }
   bool singular_everywhere() const { return singular_everywhere_; }  // the architecture: the actuators hold the platform at no pose
   const std::vector<LimitBreach>& breaches() const { return breaches_; }
   const std::vector<Crossing>& crossings() const { return crossings_; }
@@ -83,11 +84,7 @@ class Analysis {
 
  private:
   void run(const Progress& progress);
-  // In analysis_dynamics.cpp.
-  void run_dynamics(const Progress&);
-  void add_force_columns();
-  void balance_power();
-  void run_stiffness(const Progress& progress);  // in stiffness/along_motion.cpp
+  void find_singularities(const Progress& progress);
 
   const scenario::Scenario& scenario_;
   const mechanics::Trajectory& trajectory_;
@@ -96,20 +93,12 @@ class Analysis {
   double length_;
   std::unique_ptr<const mechanics::Transmission> transmission_;
   mechanics::Mobility mobility_;
-  ColumnStore columns_;
-  std::vector<Outcome> outcomes_;
-  std::vector<HoldingWrenches> wrenches_;
+  MotionAnswers answers_;
   bool singular_everywhere_ = false;
-  std::map<int, std::string> why_;
-  Residuals residuals_;
   std::vector<LimitBreach> breaches_;
   std::vector<Crossing> crossings_;
   Margins margins_;
   MotionProof proof_;
-  std::vector<Indeterminate> indeterminate_;
-  int self_stresses_ = 0;
-  ElasticReactions elastic_;
-  std::vector<mechanics::Matrix6d> compliances_;
 };
 
 }  // namespace pmreport::analysis

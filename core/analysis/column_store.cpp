@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace pmreport::analysis {
 
@@ -11,6 +12,12 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 }
 
 void ColumnStore::add(const ColumnId& id, std::size_t samples) { columns_[id].assign(samples, nan); }
+
+std::vector<double> ColumnStore::release(const ColumnId& id) {
+  std::vector<double> out = std::move(columns_.at(id));
+  columns_.erase(id);
+  return out;
+}
 
 double* ColumnStore::find(const ColumnId& id) {
   const auto found = columns_.find(id);
@@ -28,6 +35,14 @@ double ColumnStore::largest(const std::vector<ColumnId>& columns) const {
 void ColumnStore::put(const ColumnId& id, std::size_t sample, double value) {
   const auto found = columns_.find(id);
   if (found != columns_.end()) found->second[sample] = std::isfinite(value) ? value + 0.0 : nan;
+}
+
+void ColumnStore::put(chunks::Writer& to) const {
+  for (const auto& [id, column] : columns_) to.put_all(column);
+}
+
+void ColumnStore::get(chunks::Reader& from, std::size_t first, std::size_t samples) {
+  for (auto& [id, column] : columns_) from.get_all(std::span(column).subspan(first, samples));
 }
 
 }  // namespace pmreport::analysis

@@ -1,7 +1,8 @@
 // What the program does while a run takes its time: tell, and ask whether to stop (then throw).
 #pragma once
 
-#include <filesystem>
+#include <core/chunks/sharing.hpp>
+
 #include <functional>
 #include <string>
 
@@ -10,8 +11,8 @@ namespace pmreport::analysis {
 struct Progress {
   std::function<void(const std::string&)> say = [](const std::string&) {};
   std::function<void()> stop_if_asked = [] {};
-  std::filesystem::path checkpoints = {};  // folder in which long scans keep what is done; empty: they do not
-  bool resume = false;                     // go on with what is there
+  chunks::Sharing sharing = {};  // of work that is cut in chunks
+  std::string part = {};         // of the run, which its work is named after
 };
 
 }  // namespace pmreport::analysis

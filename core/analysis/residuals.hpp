@@ -1,5 +1,7 @@
-// The residuals that prove the numbers of a run, one row a sample.
+// The residuals that prove the numbers of a run: of every sample on the way, of all of them what the evidence asks.
 #pragma once
+
+#include <core/chunks/bytes.hpp>
 
 #include <array>
 #include <cstddef>
@@ -8,7 +10,7 @@
 
 namespace pmreport::analysis {
 
-// The residuals kept of each sample. Relative ones are dimensionless.
+// The residuals of each sample. Relative ones are dimensionless.
 enum class Measure : std::size_t {
   gap,                      // joint centres as both bodies carry them [m]
   misalignment,             // joint axes as both bodies carry them [rad]
@@ -38,10 +40,8 @@ enum class Measure : std::size_t {
 // Of one sample; NaN: not computed. `error`: how far the two sides that were compared are known themselves, where that may be less than the
 // claim asks for.
 struct Row {
+  Row();
   std::array<double, static_cast<std::size_t>(Measure::count)> value, error;
-
-  double& operator[](std::size_t measure) { return value[measure]; }
-  double operator[](std::size_t measure) const { return value[measure]; }
 };
 
 // A residual that is not a number must not pass for a small one.
@@ -52,7 +52,7 @@ inline double relative(double deviation, double scale) { return scale > 0 ? devi
 struct Worst {
   double value = 0;      // largest over the samples; of one whose sides are known to less than the tolerance, that share of the tolerance
                          // that the residual is of what is known
-  int sample = -1;       // where; -1: nowhere computed
+  int sample = -1;       // where, the first; -1: nowhere computed
   int compared = 0;      // number of samples that it was computed of
   int poorly_known = 0;  // of these: samples whose sides are known to less than the tolerance
   double poorest = 0;    // the largest such error
@@ -61,13 +61,27 @@ struct Worst {
 
 class Residuals {
  public:
-  explicit Residuals(std::size_t samples = 0);
-  Row& operator[](std::size_t sample) { return rows_[sample]; }
+  // Samples in any order, each measure of a sample once.
+  void add(int sample, const Row& row);
+  void join(const Residuals& other);
   // `tolerance`: what the claim asks for; where it is left out, residuals are as they are.
   Worst worst(Measure m, double tolerance = std::numeric_limits<double>::infinity()) const;
 
+  void put(chunks::Writer& to) const;
+  void get(chunks::Reader& from);
+
  private:
-  std::vector<Row> rows_;
+  // Of one measure. Where both sides are known as they are, the worst sample speaks for all, whatever is asked for; the others have to be
+  // kept one by one.
+  struct All {
+    Worst exact;
+    struct Rounded {
+      int sample;
+      double value, error;
+    };
+    std::vector<Rounded> rounded;
+  };
+  std::array<All, static_cast<std::size_t>(Measure::count)> all_;
 };
 
 }  // namespace pmreport::analysis

@@ -56,6 +56,8 @@ class Writer {
     }
   }
 
+  // Room for so many bytes, which grows where they are not enough.
+  void reserve(std::size_t bytes) { bytes_.reserve(bytes); }
   Bytes take() { return std::move(bytes_); }
 
  private:

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <chrono>
 #include <optional>
@@ -97,15 +98,21 @@ class Run {
       if (out) ++sharing_.account->found;
       if (damaged) ++sharing_.account->damaged;
     }
-    if (damaged && !sharing_.computes)
+    if (damaged && !sharing_.computes && !work_.everyone)
       throw ChunkError(fmt::format("chunk {} of {} in {} is damaged: run its shard again, or let --resume compute it", chunk, work_.name,
                                    sharing_.folder.string()));
     return out;
   }
   Bytes computed(std::size_t chunk) const {
     if (sharing_.account != nullptr) ++sharing_.account->computed;
+    Bytes out;
+    // In a context of its own: where another chunk throws, loops of this one that were cut short would not tell, and half of its answers be
+    // kept as all of them.
+    tbb::task_group_context own(tbb::task_group_context::isolated);
+    tbb::task_group group(own);
     // What it shares among the threads ends before they turn to other chunks, which would have to end first.
-    return tbb::this_task_arena::isolate([&] { return compute_(chunk); });
+    tbb::this_task_arena::isolate([&] { group.run_and_wait([&] { out = compute_(chunk); }); });
+    return out;
   }
   Bytes answers(std::size_t chunk) const {
     if (std::optional<Bytes> known = find(chunk)) return *std::move(known);
@@ -137,12 +144,13 @@ std::optional<std::size_t> Shard::next(const Work& work) {
 void run(const Work& work, const Sharing& sharing, const Compute& compute, const Take& take, const Watch& watch) {
   Run r(work, sharing, compute, take, watch);
   if (Dealer* dealer = sharing.dealer) {
+    if (work.everyone) leave_unless_waiting(sharing);
     r.do_share();
     if (!dealer->collects() && !work.everyone) throw Elsewhere();
     dealer->wait(work, watch.stop_if_asked);
     if (!dealer->collects() && !r.complete()) throw Elsewhere();
   }
-  if (!sharing.computes) r.demand_all();
+  if (!sharing.computes && !work.everyone) r.demand_all();
   r.collect();
 }
 

@@ -26,6 +26,8 @@ class Dealer {
   virtual void wait(const Work& work, const std::function<void()>& stop_if_asked) = 0;
   // The answers of all are put together here.
   virtual bool collects() const = 0;
+  // Those who share wait for each other, so that work goes on with what all of them have found.
+  virtual bool waits() const { return true; }
 };
 
 // Each of `of` shares has the chunks whose number, divided by `of`, leaves `index`, from 0 on. Nobody waits for anybody.
@@ -36,6 +38,7 @@ class Shard : public Dealer {
   void kept(const Work&, std::size_t) override {}
   void wait(const Work&, const std::function<void()>&) override {}
   bool collects() const override { return false; }
+  bool waits() const override { return false; }
 
  private:
   std::size_t index_, of_;
@@ -51,7 +54,7 @@ struct Sharing {
   std::filesystem::path folder = {};  // where chunks are kept; empty: nowhere
   std::uint64_t of_run = 0;           // a hash of what decides all answers of the run: which program, which mechanism
   bool known = false;                 // chunks that are there already count
-  bool computes = true;               // chunks that are missing are computed; else that is an error
+  bool computes = true;               // chunks that are missing are computed; else that is an error, but of work that everyone needs
   Dealer* dealer = nullptr;           // of work that is shared; null: all of it is done here
   Account* account = nullptr;
   double keep_after = 1;  // [s] that work which is not shared takes before its chunks are kept: less is soon done again
@@ -85,6 +88,12 @@ class Attempts {
 // To be called before work that cannot be shared: it is left to the process that collects the answers.
 inline void leave_to_collector(const Sharing& sharing) {
   if (sharing.dealer != nullptr && !sharing.dealer->collects()) throw Elsewhere();
+}
+
+// To be called before work whose answers everyone needs (Work::everyone): where nobody waits for the others, it is left to the process that
+// collects the answers, which does all of it.
+inline void leave_unless_waiting(const Sharing& sharing) {
+  if (sharing.dealer != nullptr && !sharing.dealer->waits()) leave_to_collector(sharing);
 }
 
 // The answers of a chunk, called by several threads at once, which may use all threads itself; and what becomes of them, in the order of

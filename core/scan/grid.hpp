@@ -1,11 +1,11 @@
 // Counts of a grid: every pose of it judged.
 #pragma once
 
-#include <core/scan/checkpoint.hpp>
+#include <core/chunks/sharing.hpp>
 #include <core/scan/pose_set.hpp>
 #include <core/scan/tally.hpp>
 
-#include <optional>
+#include <cstdint>
 #include <vector>
 
 namespace pmreport::scan {
@@ -15,7 +15,6 @@ struct GridOptions {
   bool prune = true;                       // blocks that intervals decide are not looked at pose by pose; the counts are the same
   const program::Program* sign = nullptr;  // its one output, of each accepted pose; inputs: the coordinates
   bool keep_poses = false;                 // which poses are accepted, and the sign at each
-  std::optional<Checkpoint> checkpoint = {};
 };
 
 // Of the accepted poses, coordinates as the scan has them: point axes, then turned inputs.
@@ -32,9 +31,11 @@ struct GridCounts {
   std::vector<std::uint64_t> accepted_poses, positive_poses, negative_poses;
 };
 
-// Same counts for any number of threads, with and without pruning, and after a resumption. Throws CheckpointError; std::length_error: more
-// poses than can be counted, or more memory than `memory_needed` tells for what is kept.
-GridCounts count_grid(const PoseSet& set, const Scan& scan, const GridOptions& options, const Watch& watch = {});
+// Same counts for any number of threads, with and without pruning, and however the work is shared. `work`: its name, and the meaning of
+// what decides the counts besides set, scan and options, as of what the late margins are made from; its count is left out. Throws what
+// chunks::run throws; std::length_error: more poses than can be counted, or more memory than `memory_needed` tells for what is kept.
+GridCounts count_grid(const PoseSet& set, const Scan& scan, const GridOptions& options, const Watch& watch = {},
+                      const chunks::Work& work = {}, const chunks::Sharing& sharing = {});
 
 std::size_t memory_needed(const PoseSet& set, const Scan& scan, const GridOptions& options);  // [bytes], without what the threads work in
 // Seconds that the scan will take on this machine, from a small part of it: what intervals decide is not known beforehand, and is left out.

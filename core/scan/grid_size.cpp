@@ -41,7 +41,7 @@ double seconds_needed(const PoseSet& set, const Scan& scan, const GridOptions& o
   const std::uint64_t poses = poses_of(scan);
   const Plan plan(set, scan, options.reasons, options.sign);
   const Tiling tiling(scan, points);
-  Walk walk(plan, false, {});
+  Walk walk(plan, false, [] {});
   std::uint64_t judged = 0;
   double seconds = 0;
   for (std::size_t t = 0; t < std::min(tiles, tiling.size()); ++t) {

@@ -1,9 +1,9 @@
 #include <core/scan/monte_carlo.hpp>
 
+#include <core/scan/judge/groups.hpp>
 #include <core/scan/judge/judge.hpp>
 #include <core/scan/judge/kernel.hpp>
-#include <core/scan/judge/orientations.hpp>
-#include <core/scan/pace.hpp>
+#include <core/scan/meaning.hpp>
 #include <core/scan/philox.hpp>
 
 #include <fmt/core.h>
@@ -12,7 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <functional>
 #include <numeric>
 #include <stdexcept>
 
@@ -20,13 +20,13 @@ namespace pmreport::scan {
 
 namespace {
 
-constexpr std::uint64_t chunk = 4096;  // points that are judged at a time
-constexpr std::size_t group = 4096;    // orientations that are prepared at a time
+constexpr std::uint64_t block = 4096;  // points that are judged at a time
 
-// Points of one chunk. Keeps its buffers: one a thread.
+// Points of one block. Keeps its buffers: one a thread.
 class Points {
  public:
-  Points(const Plan& plan, std::size_t need) : plan_(plan), need_(need), judge_(plan, [this](const Accepted& a) { take(a); }) {}
+  Points(const Plan& plan, std::size_t need, std::function<void()> stop_if_asked)
+      : plan_(plan), need_(need), stop_if_asked_(std::move(stop_if_asked)), judge_(plan, [this](const Accepted& a) { take(a); }) {}
   Points(const Points&) = delete;  // the judge knows where it is
   Points& operator=(const Points&) = delete;
 
@@ -45,10 +45,14 @@ class Points {
     by_others_.assign(count, 0);
     surely_.assign(count, 0);
     tally_ = empty_tally(plan_.set.size(), plan_.reasons);
+    judge_.forget();  // what a block left that threw
   }
 
   void judge(const Orientations& orientations) {
-    for (std::size_t o = 0; o < orientations.size(); ++o) judge_.run(points_, orientations.others(o), 0, tally_);
+    for (std::size_t o = 0; o < orientations.size(); ++o) {
+      stop_if_asked_();
+      judge_.run(points_, orientations.others(o), 0, tally_);
+    }
     judge_.finish(tally_);
   }
 
@@ -73,6 +77,7 @@ class Points {
 
   const Plan& plan_;
   const std::size_t need_;
+  const std::function<void()> stop_if_asked_;
   Judge judge_;
   PointBlock points_;
   // Of each point: orientations that are accepted; of these, such as are on no limit; that all margins accept but those that must hold at
@@ -92,41 +97,55 @@ void enclose_share(Estimate& e) {
   e.high = e.tally.accepted == e.tally.poses ? 1.0 : std::min(1.0, middle + half);
 }
 
+// A long scan has some hundred chunks or more, each of which is done in about a second, or in what one block takes.
+std::uint64_t points_of_a_chunk(const PoseSet& set, const Scan& scan, std::uint64_t points) {
+  const std::uint64_t most_poses = set.late.size > 0 ? 1 << 18 : 1 << 26;
+  return std::max(block, std::min(points / 256, most_poses / scan.orientation_count()) / block * block);
+}
+
 }  // namespace
 
-Estimate monte_carlo(const PoseSet& set, const Scan& scan, std::size_t need, const MonteCarloOptions& options, const Watch& watch) {
-  const std::size_t orientations = scan.orientation_count(), groups = (orientations + group - 1) / group;
+Estimate monte_carlo(const PoseSet& set, const Scan& scan, std::size_t need, const MonteCarloOptions& options, const Watch& watch,
+                     const chunks::Work& work, const chunks::Sharing& sharing) {
+  const std::size_t orientations = scan.orientation_count();
   if (options.poses == 0) throw std::invalid_argument("a share is estimated from one random pose or more; here are none");
   if (need == 0 || need > orientations)
     throw std::invalid_argument(fmt::format(
         "{} of {} orientations are to be accepted at a point; ask for one or more, and no more than there are", need, orientations));
   const Plan plan(set, scan, options.reasons, nullptr);
-  const auto prepare = [&](std::size_t g) {
-    return std::make_shared<const Orientations>(plan, g * group, std::min(group, orientations - g * group));
-  };
-  const auto only = groups == 1 ? prepare(0) : nullptr;  // many groups are prepared again for each chunk, which has far more to do
-  tbb::enumerable_thread_specific<Points> workers([&] { return Points(plan, need); });
+  Groups groups(plan);
+  tbb::enumerable_thread_specific<Points> workers([&] { return Points(plan, need, watch.stop_if_asked); });
+  const Tally nothing = empty_tally(set.size(), options.reasons);
+  const std::uint64_t of_a_chunk = points_of_a_chunk(set, scan, options.poses);
 
-  const std::uint64_t chunks = (options.poses + chunk - 1) / chunk;
-  Estimate out;
-  out.tally = empty_tally(set.size(), options.reasons);
-  Pace pace;
-  for (std::uint64_t done = 0; done < chunks;) {
-    watch.stop_if_asked();
-    std::vector<Tally> found(std::min<std::uint64_t>(pace.steps(), chunks - done));
-    pace.run([&] {
-      tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
-        const std::uint64_t first = (done + i) * chunk;
-        Points& points = workers.local();
-        points.place(options.seed, first, std::min(chunk, options.poses - first));
-        for (std::size_t g = 0; g < groups; ++g) points.judge(only ? *only : *prepare(g));
-        found[i] = points.tally();
-      });
+  const auto compute = [&](std::size_t chunk) {
+    const std::uint64_t begin = chunk * of_a_chunk, end = std::min(options.poses, begin + of_a_chunk);
+    std::vector<Tally> found((end - begin + block - 1) / block);
+    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+      const std::uint64_t first = begin + i * block;
+      Points& points = workers.local();
+      points.place(options.seed, first, std::min(block, end - first));
+      for (std::size_t g = 0; g < groups.size(); ++g) points.judge(*groups.at(g));
+      found[i] = points.tally();
     });
-    for (const Tally& t : found) out.tally += t;
-    done += found.size();
-    watch.done(static_cast<double>(done) / static_cast<double>(chunks));
-  }
+    Tally sum = nothing;
+    for (const Tally& t : found) sum += t;
+    chunks::Writer out;
+    put(out, sum);
+    return out.take();
+  };
+  Estimate out;
+  out.tally = nothing;
+  const auto take = [&](std::size_t, std::span<const std::byte> answers) {
+    chunks::Reader in(answers);
+    Tally more = nothing;
+    get(in, more);
+    in.end();
+    out.tally += more;
+  };
+  chunks::Meaning meaning;
+  meaning << work.meaning << meaning_of(set, scan) << need << options.poses << options.seed << options.reasons << of_a_chunk;
+  chunks::run({work.name, meaning.value(), (options.poses + of_a_chunk - 1) / of_a_chunk}, sharing, compute, take, watch);
   enclose_share(out);
   return out;
 }

@@ -1,6 +1,7 @@
 // A set of poses, by numbers that must not be negative; and what of it is scanned.
 #pragma once
 
+#include <core/chunks/work.hpp>
 #include <core/program/guided.hpp>
 
 #include <cstddef>
@@ -71,11 +72,6 @@ struct Scan {
   }
 };
 
-// Told by a scan that takes its time, from the calling thread: the share that is done; and asked whether to stop, which is told by
-// throwing.
-struct Watch {
-  std::function<void(double share)> done = [](double) {};
-  std::function<void()> stop_if_asked = [] {};
-};
+using chunks::Watch;
 
 }  // namespace pmreport::scan

@@ -1,7 +1,9 @@
 #include <core/scan/proved_volume.hpp>
 
+#include <core/scan/meaning.hpp>
 #include <core/scan/proof/choice.hpp>
 #include <core/scan/proof/refine.hpp>
+#include <core/scan/proof/shared_waves.hpp>
 
 #include <fmt/core.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -20,6 +22,7 @@ namespace {
 using program::Bounds;
 
 constexpr std::size_t questions_a_chunk = 1024, chunks_a_wave = 64;  // what a thread does at a stretch; between two looks at the clock
+constexpr std::size_t chunks_a_shared_wave = 1024;                   // where a look at the clock is one of all who share it
 constexpr std::size_t most_bytes = 128 << 20;                        // of boxes that are kept to be looked at again
 constexpr std::size_t boxes_for_a_program = 256;                     // from so many on it pays to make one for them alone
 constexpr double for_good = 0.25;                                    // of the gap that is allowed: of boxes put away for mattering little
@@ -29,11 +32,13 @@ constexpr double for_good = 0.25;                                    // of the g
 // it may end whenever it likes.
 class Prover {
  public:
-  Prover(const PoseSet& set, const Scan& scan, const VolumeOptions& options, const Watch& watch)
+  Prover(const PoseSet& set, const Scan& scan, const VolumeOptions& options, const Watch& watch, const chunks::Work& work,
+         const chunks::Sharing& sharing)
       : options_(options),
         watch_(watch),
         margins_(set, scan),
         axes_(margins_.axes().size()),
+        waves_(work, sharing, margins_, watch),
         sets_(margins_.margins()),
         programs_(margins_, sets_),
         open_(axes_),
@@ -59,7 +64,11 @@ class Prover {
 
  private:
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-  bool out_of_time() const { return seconds() > options_.seconds; }
+  // The clocks of those who share the proof differ, and all must go the same way.
+  bool out_of_time() {
+    return timed() && waves_.agreed([this] { return seconds() > options_.seconds; });
+  }
+  bool timed() const { return options_.seconds < std::numeric_limits<double>::infinity(); }
   bool out_of_boxes() const { return out_.boxes >= options_.boxes; }
   static double width(Bounds volume) { return volume.high - volume.low; }
 
@@ -150,32 +159,51 @@ class Prover {
     if (open_.state(k).blind) out_.undecided += open_.volume(k).high;
   }
 
-  // In chunks that do not depend on the number of threads, whose answers are taken in their order.
+  // In chunks that depend neither on the number of threads nor on who shares them, whose answers are taken in their order.
   void halve(const std::vector<std::uint32_t>& which) {
-    std::vector<std::size_t> ends{0};
-    std::size_t questions = 0;
-    for (std::size_t i = 0; i < which.size(); ++i) {
-      questions += open_.open(which[i]).size() << std::popcount(open_.state(which[i]).split);
-      if (questions < questions_a_chunk && i + 1 < which.size()) continue;
-      ends.push_back(i + 1);
-      questions = 0;
-    }
+    const std::vector<std::size_t> ends = cut(which);
+    // Those who share a wave wait for each other in the end. So it is as long as it may be.
+    const std::size_t most = !waves_.shared() ? chunks_a_wave : timed() ? chunks_a_shared_wave : ends.size();
     OpenBoxes parts(axes_);
+    const auto take_it = [&](Refined& refined) { take(refined, parts); };
     std::size_t chunk = 0;
-    while (chunk + 1 < ends.size() && (chunk == 0 || !(out_of_time() || out_of_boxes()))) {
+    while (chunk + 1 < ends.size() && (chunk == 0 || !out_of_time())) {
       watch_.stop_if_asked();
-      const std::size_t count = std::min(chunks_a_wave, ends.size() - 1 - chunk);
-      std::vector<std::unique_ptr<Refined>> wave(count);
-      tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-        wave[i] = std::make_unique<Refined>(axes_, margins_.margins());
-        const std::size_t from = ends[chunk + i], to = ends[chunk + i + 1];
-        refine(open_, std::span(which).subspan(from, to - from), options_.need, margins_, *examiners_.local(), *wave[i]);
-      });
-      for (const auto& refined : wave) take(*refined, parts);
-      chunk += count;
+      const Wave wave{which, std::span(ends).subspan(chunk, std::min(most + 1, ends.size() - chunk))};
+      if (waves_.shares(wave))
+        waves_.run(
+            wave, open_, sets_, [this](std::span<const std::uint32_t> boxes) { return refined(boxes); }, take_it);
+      else
+        run_here(wave, take_it);
+      chunk += wave.chunks();
     }
     for (std::size_t i = 0; i < ends[chunk]; ++i) gone_[which[i]] = true;
     keep(std::move(parts));
+  }
+  // The ends of the chunks, behind a zero, down to the end of a wave with which there have been as many boxes as are allowed.
+  std::vector<std::size_t> cut(const std::vector<std::uint32_t>& which) const {
+    std::vector<std::size_t> ends{0};
+    std::size_t questions = 0, boxes = out_.boxes;
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      questions += open_.open(which[i]).size() << std::popcount(open_.state(which[i]).split);
+      boxes += std::size_t{1} << std::popcount(open_.state(which[i]).split);
+      if (questions < questions_a_chunk && i + 1 < which.size()) continue;
+      ends.push_back(i + 1);
+      questions = 0;
+      if ((ends.size() - 1) % chunks_a_wave == 0 && boxes >= options_.boxes) break;
+    }
+    return ends;
+  }
+  template <class F>
+  void run_here(const Wave& wave, F&& take_it) {
+    std::vector<std::unique_ptr<Refined>> answers(wave.chunks());
+    tbb::parallel_for(std::size_t{0}, answers.size(), [&](std::size_t i) { answers[i] = refined(wave.chunk(i)); });
+    for (const auto& refined : answers) take_it(*refined);
+  }
+  std::unique_ptr<Refined> refined(std::span<const std::uint32_t> boxes) {
+    auto out = std::make_unique<Refined>(axes_, margins_.margins());
+    refine(open_, boxes, options_.need, margins_, *examiners_.local(), *out);
+    return out;
   }
 
   void take(Refined& refined, OpenBoxes& parts) {
@@ -211,6 +239,7 @@ class Prover {
   const Watch& watch_;
   BoxedMargins margins_;
   std::size_t axes_;
+  SharedWaves waves_;
   MarginSets sets_;
   MarginPrograms programs_;
   OpenBoxes open_;
@@ -227,8 +256,13 @@ class Prover {
 
 }  // namespace
 
-ProvedVolume prove_volume(const PoseSet& set, const Scan& scan, const VolumeOptions& options, const Watch& watch) {
-  return Prover(set, scan, options, watch).prove(scan);
+ProvedVolume prove_volume(const PoseSet& set, const Scan& scan, const VolumeOptions& options, const Watch& watch, const chunks::Work& work,
+                          const chunks::Sharing& sharing) {
+  chunks::leave_unless_waiting(sharing);
+  chunks::Meaning meaning;
+  meaning << work.meaning << meaning_of(set, scan) << options.gap << options.seconds << options.boxes << options.need;
+  if (set.late.over_boxes) meaning << meaning_of(set.late.over_boxes->program);
+  return Prover(set, scan, options, watch, {work.name, meaning.value()}, sharing).prove(scan);
 }
 
 }  // namespace pmreport::scan

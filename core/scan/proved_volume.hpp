@@ -1,9 +1,11 @@
 // A bracket of the volume of a set of poses, proved.
 #pragma once
 
+#include <core/chunks/sharing.hpp>
 #include <core/program/intervals/bounds.hpp>
 #include <core/scan/pose_set.hpp>
 
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -26,7 +28,11 @@ struct ProvedVolume {
   std::uint64_t boxes = 0;                 // looked at
   double undecided = 0;                    // volume of boxes that were left whole, neither in nor out, for margins without bounds
 };
-// Bytes do not depend on the number of threads, unless the time ends it. What is not provable throws std::invalid_argument.
-ProvedVolume prove_volume(const PoseSet& set, const Scan& scan, const VolumeOptions& options, const Watch& watch = {});
+// Bytes do not depend on the number of threads, nor on who shares the work, unless the time ends it. Those who wait for each other
+// (chunks::Dealer) share it, and go through all of the proof; one who shares nothing keeps nothing. `work`: its name, and the meaning of
+// what decides the volume besides the set, the scan and the options, as those by which guides are chosen; the rest is left out. Throws what
+// chunks::run throws; what is not provable: std::invalid_argument.
+ProvedVolume prove_volume(const PoseSet& set, const Scan& scan, const VolumeOptions& options, const Watch& watch = {},
+                          const chunks::Work& work = {}, const chunks::Sharing& sharing = {});
 
 }  // namespace pmreport::scan

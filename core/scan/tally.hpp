@@ -1,6 +1,8 @@
 // What is counted of poses that were judged.
 #pragma once
 
+#include <core/chunks/bytes.hpp>
+
 #include <cstdint>
 #include <vector>
 
@@ -14,5 +16,9 @@ struct Tally {
 
   Tally& operator+=(const Tally& more);
 };
+
+// As part of a chunk's answers. What is got has as many margins as there are before, else NotReadable is thrown.
+void put(chunks::Writer& to, const Tally& tally);
+void get(chunks::Reader& from, Tally& tally);
 
 }  // namespace pmreport::scan

@@ -8,6 +8,21 @@ constexpr std::size_t longest_word = 60;
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
+// Bytes of the first character of what is not empty; 0: no UTF-8 begins there.
+std::size_t length_of_first(std::string_view bytes) {
+  const auto lead = static_cast<unsigned char>(bytes.front());
+  if (lead < 0x80) return 1;
+  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  if (lead < 0xC2 || lead > 0xF4 || bytes.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if (!continues(bytes[i])) return 0;
+  const auto second = static_cast<unsigned char>(bytes[1]);
+  // Written longer than need be, halves of a pair, and what is beyond the last character.
+  const bool none = (lead == 0xE0 && second < 0xA0) || (lead == 0xED && second > 0x9F) || (lead == 0xF0 && second < 0x90) ||
+                    (lead == 0xF4 && second > 0x8F);
+  return none ? 0 : length;
+}
+
 // Damerau-Levenshtein distance, restricted: neighbours that are swapped are not edited again.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
@@ -93,6 +108,23 @@ std::string without_noncharacters(std::string_view utf8) {
     i += std::max<std::size_t>(length, 1);
   }
   return out;
+}
+
+std::string one_line(std::string_view bytes) {
+  std::string out;
+  out.reserve(bytes.size());
+  while (!bytes.empty()) {
+    const std::size_t length = length_of_first(bytes);
+    const char c = bytes.front();
+    if (length == 0)
+      out += "\xEF\xBF\xBD";  // U+FFFD
+    else if (c == '\n' || c == '\r' || c == '\t')
+      out += ' ';
+    else
+      out += bytes.substr(0, length);
+    bytes.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return printable(without_noncharacters(out));
 }
 
 std::size_t characters(std::string_view utf8) {

@@ -21,6 +21,10 @@ std::string listed(const std::vector<std::string>& words, const char* last = "an
 std::string in_quotes(std::string_view text);
 std::string printable(std::string_view text);
 
+// What stands in for a few words of somebody else's, in files as on a terminal: one line of valid UTF-8, printable. Ends of lines and tabs
+// become spaces, what is no UTF-8 and no character U+FFFD.
+std::string one_line(std::string_view bytes);
+
 // With U+FFFD for what Unicode promises never to be a character, U+FDD0 and the like: valid UTF-8, which Cairo refuses all the same.
 std::string without_noncharacters(std::string_view utf8);
 

@@ -1,6 +1,7 @@
 #include <reports/program/command_line.hpp>
 
 #include <reports/program/cli/spoken.hpp>
+#include <reports/program/memory_limit.hpp>
 #include <reports/program/terminal.hpp>
 
 #include <core/text/text.hpp>
@@ -8,7 +9,9 @@
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
+#include <charconv>
 #include <cmath>
+#include <string_view>
 
 namespace pmreport::program {
 
@@ -21,6 +24,21 @@ std::string not_negative(const std::string& text) {
   return is_number && value >= 0 && std::isfinite(value) ? "" : "expected a number of 0 or above; seen " + in_quotes(text);
 }
 
+// "3/64".
+std::optional<chunks::Shard> shard_of(std::string_view text) {
+  std::size_t numbers[2] = {};
+  const std::size_t slash = text.find('/');
+  if (slash == std::string_view::npos) return std::nullopt;
+  const std::string_view words[2] = {text.substr(0, slash), text.substr(slash + 1)};
+  for (int i = 0; i < 2; ++i) {
+    const char* end = words[i].data() + words[i].size();
+    if (const auto [to, error] = std::from_chars(words[i].data(), end, numbers[i]); error != std::errc() || to != end) return std::nullopt;
+  }
+  constexpr std::size_t most = 1'000'000;
+  if (numbers[0] < 1 || numbers[0] > numbers[1] || numbers[1] > most) return std::nullopt;
+  return chunks::Shard(numbers[0] - 1, numbers[1]);
+}
+
 std::string a_name(const std::string& text) { return text.empty() ? "expected a name, seen nothing" : ""; }
 
 }  // namespace
@@ -29,7 +47,7 @@ std::variant<Options, int> read_command_line(int argc, char** argv) {
   CLI::App app("pmreport: reports about parallel manipulators that an engineer can believe", "pmreport");
   app.set_version_flag("--version", std::string("pmreport ") + PMREPORT_VERSION);
   Options options;
-  std::string name, folder, shell;
+  std::string name, folder, shell, shard, memory;
   app.add_option("scenario", options.scenarios, "scenario to report on, a TOML file; of several each gets its report, with an index");
   app.add_option("-o,--out", options.out,
                  "folder of the report (default: the scenario's name with -report, here), or of several (default: reports)")
@@ -42,9 +60,23 @@ std::variant<Options, int> read_command_line(int argc, char** argv) {
   app.add_option("--threads", options.threads, "threads to use (default: all cores); the report does not depend on it")
       ->check(CLI::PositiveNumber)
       ->group(of_every_command);
-  app.add_flag("--resume", options.resume, "let long scans go on where an interrupted run of the same scenario stopped");
+  app.add_flag("--resume", options.resume, "go on where an interrupted run of the same scenario stopped");
+  app.add_option("--chunks", options.chunks, "folder where long work is kept in chunks (default: that of the report, with .chunks)")
+      ->check(a_name);
+  app.add_option("--shard", shard, "compute and keep a share of the work alone: 3/64 is the third of 64; pmreport merge makes the report")
+      ->option_text("I/N")
+      ->check([](const std::string& text) {
+        return shard_of(text) ? "" : "expected I/N with I from 1 to N, as in 3/64; seen " + in_quotes(text);
+      });
   app.add_option("--timeout", options.timeout, "give up after so many seconds (default: never)")
       ->check(CLI::PositiveNumber)
+      ->group(of_every_command);
+  app.add_option("--max-memory", memory, "refuse a report that would take more: 4 GB, 500 MB (default: nine tenths of what is available)")
+      ->option_text("SIZE")
+      ->check([](const std::string& text) {
+        return size_of(text) ? "" : "expected a size with its unit, as in \"4 GB\" or \"500 MB\"; seen " + in_quotes(text);
+      });
+  app.add_flag("--sandbox", options.sandbox, "let plugins write beside the report alone, reach no network and run no program")
       ->group(of_every_command);
   app.add_option("--baseline", options.baseline, "results that the report must agree with: results.json, or the folder of a report")
       ->check(a_name);
@@ -76,6 +108,8 @@ std::variant<Options, int> read_command_line(int argc, char** argv) {
   import_command->add_option("-o,--out", options.out, "new file to write it to (default: standard output)")->check(a_name);
   CLI::App* classify_command = app.add_subcommand("classify", "list the class of parallel-cross mechanisms");
   classify_command->add_flag("--json", options.json, "for programs");
+  CLI::App* merge_command = app.add_subcommand("merge", "make the report of a scenario from the chunks of all its shards");
+  merge_command->add_option("scenario", options.scenario, "that all shards were run with")->required();
   CLI::App* limits_command = app.add_subcommand("limits", "print the safe box around home as settings of a controller");
   limits_command->add_option("scenario", options.scenario, "scenario with a section \"workspace\"")->required();
   limits_command->add_option("--format", options.format, "toml, linuxcnc (HAL) or klipper (default: toml)")
@@ -102,9 +136,9 @@ std::variant<Options, int> read_command_line(int argc, char** argv) {
   CLI::App* completion_command = app.add_subcommand("completion", "print a script that completes pmreport in a shell");
   completion_command->add_option("shell", shell, "bash, zsh or fish")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
   CLI::App* man_command = app.add_subcommand("man", "print the manual page: pmreport man | man -l -");
-  for (CLI::App* c :
-       {completion_command, man_command, new_scenario_command, import_command, compare_command, approve_command, schema_command,
-        limits_command, list_command, describe_command, check_command, new_command, new_mechanism_command, classify_command})
+  for (CLI::App* c : {completion_command, man_command, new_scenario_command, merge_command, import_command, compare_command,
+                      approve_command, schema_command, limits_command, list_command, describe_command, check_command, new_command,
+                      new_mechanism_command, classify_command})
     c->fallthrough();
 
   try {
@@ -134,6 +168,13 @@ std::variant<Options, int> read_command_line(int argc, char** argv) {
     if (*asked) options.command = command;
   if (options.command == Command::report && !options.scenarios.empty()) options.scenario = options.scenarios.front();
   if (options.command == Command::report && options.scenarios.size() > 1) options.command = Command::many;
+  if (*merge_command) options.merge = true;
+  if (!shard.empty()) options.shard = shard_of(shard);
+  if (!memory.empty()) options.max_memory = size_of(memory);
+  if (options.shard && (options.command != Command::report || options.merge)) {
+    tell("error: --shard: expected with one scenario alone: pmreport SCENARIO --shard {}\n", printable(shard));
+    return bad_scenario;
+  }
   if (options.command != Command::report && !options.baseline.empty()) {
     tell("error: --baseline: expected with one scenario: pmreport SCENARIO --baseline RESULTS\n");
     return bad_scenario;

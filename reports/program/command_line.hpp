@@ -1,7 +1,10 @@
 // What the user typed.
 #pragma once
 
+#include <core/chunks/sharing.hpp>
+
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -30,14 +33,20 @@ enum class Command {
 struct Options {
   Command command = Command::report;
   std::vector<std::filesystem::path> plugin_path;
-  int threads = 0;     // 0: all cores
-  double timeout = 0;  // [s]; 0: none
+  int threads = 0;                   // 0: all cores
+  double timeout = 0;                // [s]; 0: none
+  std::optional<double> max_memory;  // that a report may take [bytes]; none: by what the machine has
+  bool sandbox = false;              // plugins can neither write elsewhere nor reach anybody
   // report
   std::string scenario, out;
   std::vector<std::string> scenarios;  // of several reports
   bool check_only = false, quiet = false;
-  bool resume = false;   // long scans go on with what an interrupted run has left
-  std::string baseline;  // results that those of the report are held against; empty: none
+  bool resume = false;                 // chunks of work that an interrupted run has left count
+  std::optional<chunks::Shard> shard;  // only its chunks are done, and kept; there is no report
+  bool merge = false;                  // all chunks are there: a report of them
+  std::string chunks;                  // folder where they are kept; empty: beside the report
+  chunks::Dealer* dealer = nullptr;    // of chunks, where several processes make one report
+  std::string baseline;                // results that those of the report are held against; empty: none
   // report with a baseline, compare, approve: as of compare::Tolerance
   double relative = 1e-6, absolute = 1e-12;
   bool failed_too = false;  // approve: also the results of a report that did not pass

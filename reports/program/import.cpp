@@ -72,6 +72,7 @@ int import_settings(const Options& options) {
   const host::Catalog catalog(host::search_folders(options.plugin_path));
   tell_refused(catalog);
   const scenario::Loaded loaded = machine_of(made, catalog);
+  check_home(made, *loaded.machine);
 
   Draft draft{*loaded.machine};
   draft.title = made.title;

@@ -1,4 +1,5 @@
 // pmreport limits SCENARIO: the safe box around home as settings of controllers.
+#include <reports/program/cli/parameter_words.hpp>
 #include <reports/program/commands.hpp>
 #include <reports/program/terminal.hpp>
 #include <reports/section/kinds.hpp>
@@ -42,7 +43,7 @@ std::vector<Side> sides_of(const Workspace& w, const mechanics::Machine& machine
 void print_toml(const Workspace& w, const std::vector<Side>& sides, const std::string& name) {
   put("[safe_limits{}]  # every pose with all coordinates within these keeps all limits; proved\n", name.empty() ? "" : "." + name);
   for (std::size_t i = 0; i < sides.size(); ++i)
-    put("{} = [\"{:.3f} {}\", \"{:.3f} {}\"]  # {}; {}\n", sides[i].coordinate->name, sides[i].low, sides[i].unit, sides[i].high,
+    put("{} = [\"{:.3f} {}\", \"{:.3f} {}\"]  # {}; {}\n", toml_key(sides[i].coordinate->name), sides[i].low, sides[i].unit, sides[i].high,
         sides[i].unit, section::margin_words(w, w.safe_box->low_margin[i]), section::margin_words(w, w.safe_box->high_margin[i]));
 }
 

@@ -1,3 +1,4 @@
+#include <core/text/text.hpp>
 #include <reports/program/commands.hpp>
 #include <reports/program/terminal.hpp>
 
@@ -31,7 +32,8 @@ scenario::MechanismSource source_of(const host::Catalog& catalog) {
 int list(const Options& options) {
   const host::Catalog catalog(host::search_folders(options.plugin_path));
   tell_refused(catalog);
-  for (const host::Entry& e : catalog.entries()) put("{:<16} {}\n{:<16} {}\n", e.name, e.mechanism->title, "", e.file.string());
+  for (const host::Entry& e : catalog.entries())
+    put("{:<16} {}\n{:<16} {}\n", e.name, one_line(e.mechanism->title), "", printable(e.file.string()));
   if (catalog.entries().empty()) {
     tell("no mechanism found; searched:\n");
     for (const std::filesystem::path& f : catalog.folders()) tell("  {}\n", f.string());

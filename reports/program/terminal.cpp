@@ -10,8 +10,15 @@ namespace pmreport::program {
 namespace {
 
 std::FILE* apart = nullptr;
+bool told_by_others = false;
 
 }  // namespace
+
+void tell_text(const std::string& text) {
+  if (!told_by_others) std::fputs(text.c_str(), stderr);
+}
+
+void leave_telling_to_others(bool leave) { told_by_others = leave; }
 
 std::FILE* results() { return apart != nullptr ? apart : stdout; }
 

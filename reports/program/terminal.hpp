@@ -9,10 +9,13 @@
 namespace pmreport::program {
 
 // Where nobody can be told the exit status still speaks.
+void tell_text(const std::string& text);
 template <class... T>
 void tell(fmt::format_string<T...> format, T&&... values) {
-  std::fputs(fmt::format(format, std::forward<T>(values)...).c_str(), stderr);
+  tell_text(fmt::format(format, std::forward<T>(values)...));
 }
+// Of one of several processes with the same arguments, all of which would find the same mistakes in them.
+void leave_telling_to_others(bool leave);
 
 // Where results go: standard output. Once they are kept apart, whatever else writes there, as a plugin may, writes to standard error.
 std::FILE* results();

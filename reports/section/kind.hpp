@@ -4,6 +4,7 @@
 #include <core/scenario/section/kind.hpp>
 #include <reports/document/report.hpp>
 #include <reports/section/common/analysis.hpp>
+#include <reports/section/memory_need.hpp>
 
 #include <string>
 #include <vector>
@@ -33,6 +34,9 @@ struct Context {
 
 struct SectionKind : scenario::SectionKind {
   Result (*make)(const Context&, const scenario::Section&) = nullptr;
+  bool shared = false;  // its work comes in chunks that several processes may share; up to there it needs the machine alone
+  // What it holds besides its columns; the first section of the kind has what all of them share. nullptr: little.
+  MemoryNeed::Part (*memory)(const scenario::Loaded&, const scenario::Section&, bool first) = nullptr;
 };
 
 }  // namespace pmreport::section

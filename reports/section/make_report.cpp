@@ -1,4 +1,6 @@
+#include <core/text/text.hpp>
 #include <reports/document/data/sha256.hpp>
+#include <reports/figure/curve.hpp>
 #include <reports/section/checks.hpp>
 #include <reports/section/common/inputs.hpp>
 #include <reports/section/common/plots.hpp>
@@ -35,7 +37,44 @@ void add_values(Report& r, const Analysis& a, const SectionKind& kind) {
   }
 }
 
+// What a section does in chunks is named after it.
+Progress progress_of(const scenario::Section& asked, int number, const Progress& progress) {
+  Progress out = progress;
+  out.part = fmt::format("{} {}", kind_of(asked).name, number);
+  return out;
+}
+
+// A figure is kept until all are drawn: what of its curves nobody could see is not, of a long motion it is as much as all columns.
+document::Section thinned(document::Section section) {
+  for (document::Block& block : section.blocks)
+    if (auto* figure = std::get_if<figure::Figure>(&block))
+      for (figure::Panel& panel : figure->panels)
+        for (figure::Series& s : panel.series)
+          if (!s.points) figure::thin_out(s.x, s.y);
+  return section;
+}
+
 }  // namespace
+
+void share_work(const scenario::Loaded& loaded, const Progress& progress) {
+  const scenario::Scenario& s = loaded.scenario;
+  const mechanics::Machine& m = *loaded.machine;
+  chunks::Attempts attempts;
+  attempts.add([&] { const Analysis along(s, loaded.trajectory, m, analysis::asked_by(s), progress); });
+  const mechanics::Trajectory nowhere;
+  const Analysis at_home(s, nowhere, m, {}, {progress.say, progress.stop_if_asked});
+  scene::Studio studio;
+  const Stage stage(at_home, studio);
+  std::map<const scenario::SectionKind*, int> seen;
+  for (const scenario::Section& asked : s.sections) {
+    const int number = ++seen[asked.kind];
+    if (!kind_of(asked).shared) continue;
+    progress.stop_if_asked();
+    progress.say("section " + asked.kind->name);
+    const Progress of_section = progress_of(asked, number, progress);
+    attempts.add([&] { kind_of(asked).make({at_home, stage, of_section, {}, number}, asked); });
+  }
+}
 
 Report make_report(const scenario::Loaded& loaded, const std::string& version, const std::string& build, const Progress& progress) {
   const scenario::Scenario& s = loaded.scenario;
@@ -43,7 +82,8 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
   progress.say(s.motion ? fmt::format("{} samples of {}", loaded.trajectory.samples(), m.info().name) : m.info().name);
   scene::Studio studio;
   if (s.needs().pictures) studio.prepare();  // while the analysis runs
-  const Analysis a(s, loaded.trajectory, m, analysis::asked_by(s), progress);
+  Analysis run(s, loaded.trajectory, m, analysis::asked_by(s), progress);
+  const Analysis& a = run;
 
   Report r;
   r.title = s.title;
@@ -52,7 +92,7 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
   r.mechanism_title = m.info().title;
   r.source = m.info().source;
   r.scenario_text = s.text;
-  r.provenance = {"pmreport", version, m.info().name, build, s.file.filename().string(), document::sha256(s.text)};
+  r.provenance = {"pmreport", version, m.info().name, one_line(build), s.file.filename().string(), document::sha256(s.text)};
 
   const Stage stage(a, studio);
   std::optional<Stage::Ordered> cover;
@@ -62,7 +102,8 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
   std::vector<document::Check> gates;
   std::vector<document::Finding> found;
   const auto make = [&](const scenario::Section& asked, int number) {
-    Result result = kind_of(asked).make({a, stage, progress, r.values, number}, asked);
+    const Progress of_section = progress_of(asked, number, progress);
+    Result result = kind_of(asked).make({a, stage, of_section, r.values, number}, asked);
     for (document::Value& v : result.values) r.values.push_back(std::move(v));
     for (document::Data& d : result.data) r.data.push_back(std::move(d));
     for (document::File& f : result.files) r.files.push_back(std::move(f));
@@ -72,7 +113,7 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
       found.push_back(std::move(f));
     }
     if (!asked.title.empty()) result.section.title = asked.title;
-    return std::move(result.section);
+    return thinned(std::move(result.section));
   };
   struct Last {  // a section that needs the values of all others, and where it belongs
     std::size_t index;
@@ -80,6 +121,7 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
     int number;
   };
   std::vector<Last> last;
+  std::vector<std::pair<std::size_t, const SectionKind*>> of_columns;  // data files that get the run's own columns, when nobody needs them
   for (const scenario::Section& asked : s.sections) {
     progress.stop_if_asked();
     const SectionKind& kind = kind_of(asked);
@@ -90,9 +132,10 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
     if (!later) section = make(asked, number);
     if (kind.columns != nullptr && number == 1) {
       // The overview stands before the first section of curves.
-      for (document::Section& o : overview) r.sections.push_back(std::move(o));
+      for (document::Section& o : overview) r.sections.push_back(thinned(std::move(o)));
       overview.clear();
-      r.data.push_back(data_of(a, kind.name, kind.columns));
+      of_columns.emplace_back(r.data.size(), &kind);
+      r.data.emplace_back();
       add_values(r, a, kind);
     }
     if (later) last.push_back({r.sections.size(), asked, number});
@@ -119,6 +162,7 @@ Report make_report(const scenario::Loaded& loaded, const std::string& version, c
     r.live = live_model(a);
   }
   if (cover) r.cover = cover->wait();
+  for (const auto& [data, kind] : of_columns) r.data[data] = handed_over(run, kind->name, kind->columns);
   return r;
 }
 

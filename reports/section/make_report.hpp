@@ -14,4 +14,8 @@ namespace pmreport::section {
 document::Report make_report(const scenario::Loaded& loaded, const std::string& version, const std::string& build,
                              const Progress& progress);
 
+// The part of the work that comes in chunks, by a process that shares it with others and does not collect the answers: what is done is kept
+// as `progress.sharing` says. Throws as making the report does.
+void share_work(const scenario::Loaded& loaded, const Progress& progress);
+
 }  // namespace pmreport::section

@@ -1,15 +1,20 @@
 #include <core/chunks/chunk_folder.hpp>
 #include <core/chunks/sharing.hpp>
+#include <tests/fuzz/chunk.hpp>
+#include <tests/fuzz/corpus.hpp>
 #include <tests/host/fixtures/temporary.hpp>
 
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 #include <catch2/catch.hpp>
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <thread>
 
 namespace fs = std::filesystem;
 using namespace pmreport::chunks;
@@ -181,6 +186,42 @@ TEST_CASE("a run that is stopped keeps what is done, and nothing half") {
   CHECK(kept <= 9);
 }
 
+TEST_CASE("a chunk whose loops run while another one throws is kept whole or not at all") {
+  const TemporaryFolder here;
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 2);
+  struct Stop {};
+  std::atomic<bool> begun = false;
+  // The first chunk throws while the second one counts to a hundred.
+  const auto counted = [&](bool throws) {
+    std::uint64_t out = 0;
+    run(
+        {"counts", 7, 2}, kept_in(here.path()),
+        [&](std::size_t k) {
+          for (int i = 0; throws && k == 0; ++i) {
+            if (begun || i == 1000) throw Stop();
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+          }
+          std::atomic<std::uint64_t> sum = 0;
+          tbb::parallel_for(0, 100, [&](int) {
+            begun = true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            ++sum;
+          });
+          Writer w;
+          w.put(sum.load());
+          return w.take();
+        },
+        [&](std::size_t, std::span<const std::byte> answers) {
+          std::uint64_t one = 0;
+          Reader(answers).get(one);
+          out += one;
+        });
+    return out;
+  };
+  CHECK_THROWS_AS(counted(true), Stop);
+  CHECK(counted(false) == 200);
+}
+
 TEST_CASE("numbers and texts come back from bytes as they were, and too few bytes are told") {
   Writer w;
   const std::vector<std::uint32_t> counts{0, 0, 0, 5, 5, 300, 4'000'000'000u};
@@ -214,4 +255,8 @@ TEST_CASE("numbers and texts come back from bytes as they were, and too few byte
   Bytes more = bytes;
   more.push_back({});
   CHECK_THROWS_AS(read(more), NotReadable);
+}
+
+TEST_CASE("no chunk of the fuzzer's corpus breaks a promise") {
+  CHECK(fuzz::broken_in(SOURCE "/tests/fuzz/corpus/chunk", fuzz::broken_by_chunk) == "");
 }

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <functional>
 #include <limits>
+#include <tests/fuzz/corpus.hpp>
+#include <tests/fuzz/plugin_table.hpp>
 
 using pmreport::host::PluginError;
 using pmreport::host::require_sound;
@@ -185,6 +187,9 @@ TEST_CASE("one fault makes a table unsound, and the sentence names it") {
       {"a list of parameters, seen a null pointer", [](Table& t) { t.mechanism.parameters.items = nullptr; }},
       {"a stride of the parameters of at least",
        [](Table& t) { t.mechanism.parameters.stride = offsetof(pm_parameter, working_mode) - 8; }},
+      {"parameters at addresses that divide by 8, seen a stride of 129 bytes", [](Table& t) { t.mechanism.parameters.stride = 129; }},
+      {"parameters at addresses that divide by 8",
+       [](Table& t) { t.mechanism.parameters.items = reinterpret_cast<const char*>(t.parameters.data()) + 1; }},
       {"digits and underscores for parameter 2, seen nothing", [](Table& t) { t.list().name = nullptr; }},
       {"digits and underscores for parameter 2, seen 'base-radius'", [](Table& t) { t.list().name = "base-radius"; }},
       {"parameters of different names, seen 'base_radius' twice", [](Table& t) { t.list().name = "base_radius"; }},
@@ -221,4 +226,8 @@ TEST_CASE("one fault makes a table unsound, and the sentence names it") {
     CHECK(sentence.find(fault.sentence) != sentence.npos);
     CHECK(sentence.find('\n') == sentence.npos);
   }
+}
+
+TEST_CASE("no table of the fuzzer's corpus breaks a promise") {
+  CHECK(fuzz::broken_in(SOURCE "/tests/fuzz/corpus/plugin_table", fuzz::broken_by_plugin_table) == "");
 }

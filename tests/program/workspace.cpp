@@ -4,8 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <cmath>
 #include <csignal>
+#include <filesystem>
+#include <functional>
+#include <thread>
 
 using namespace program_test;
 using Catch::Contains;
@@ -28,12 +32,20 @@ double value(const Workshop& here, const std::string& name) {
   return std::nan("");
 }
 
-// Takes some seconds, for an index is judged pose by pose; its poses are counted in many steps.
+// Takes some seconds, for an index is judged pose by pose; in four chunks.
 const std::string long_scan =
     scenario("gough",
              "method = \"grid\"\nsafe = false\nlimits = [\"strokes\"]\nscan = { x = [\"-500 mm\", \"500 mm\", 61], y = "
              "[\"-500 mm\", \"500 mm\", 61], z = [\"600 mm\", \"1300 mm\", 61] }\n[[section.limit]]\nindex = "
              "\"condition\"\nmax = \"12\"\n");
+
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> out;
+  std::error_code not_there;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, not_there))
+    if (entry.is_regular_file() && !entry.path().has_extension()) out.push_back(entry.path());
+  return out;
+}
 
 }  // namespace
 
@@ -195,33 +207,44 @@ TEST_CASE("a scan that was interrupted goes on where it stopped, to the same byt
   const Workshop here;
   here.write("scenario.toml", long_scan);
   REQUIRE(pmreport({"scenario.toml", "-o", "whole"}, {.folder = here.path()}).status == 0);
-  {
-    Process process({PROGRAM, "scenario.toml", "-o", "parts"},
-                    {.environment = {{"TERM", "xterm"}}, .folder = here.path(), .terminal = true});
-    REQUIRE(process.says("grid: "));
+  const auto interrupted = [&](std::vector<std::string> more, const std::function<bool(Process&)>& in_the_middle) {
+    std::vector<std::string> command{PROGRAM, "scenario.toml", "-o", "parts", "--threads", "1"};
+    command.insert(command.end(), more.begin(), more.end());
+    Process process(command, {.environment = {{"TERM", "xterm"}}, .folder = here.path(), .terminal = true});
+    REQUIRE(in_the_middle(process));
     process.send(SIGINT);
     CHECK(process.finish().status == 130);
-  }
-  REQUIRE(std::filesystem::exists(here / "parts.checkpoints/workspace.scan"));
-  CHECK_FALSE(std::filesystem::exists(here / "parts"));
+    CHECK_FALSE(std::filesystem::exists(here / "parts"));
+  };
+  // What is done in the first second is not kept, and that may be all.
+  interrupted({}, [](Process& process) { return process.says("grid: "); });
+  std::filesystem::remove_all(here / "parts.chunks");
+  // A shard keeps everything.
+  const auto kept = [&] { return files_in(here / "parts.chunks").size(); };
+  interrupted({"--shard", "1/1"}, [&](Process&) {
+    for (int i = 0; i < 6000 && kept() == 0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return kept() > 0;
+  });
+  CHECK(kept() < 4);
   const Result resumed = pmreport({"scenario.toml", "-o", "parts", "--resume"}, {.folder = here.path()});
   INFO(resumed.err);
   REQUIRE(resumed.status == 0);
   CHECK(contents(here / "whole") == contents(here / "parts"));
-  CHECK_FALSE(std::filesystem::exists(here / "parts.checkpoints"));
+  CHECK_FALSE(std::filesystem::exists(here / "parts.chunks"));
 }
 
-TEST_CASE("what another scenario left, or what is damaged, is not gone on with") {
+TEST_CASE("what is no chunk of a grid is not gone on with, but counted again") {
   const Workshop here;
-  const auto resumed = [&](const std::string& bytes) {
-    std::filesystem::create_directories(here / "scenario-report.checkpoints");
-    here.write("scenario-report.checkpoints/workspace.scan", bytes);
-    return here.report(scenario("gough", "method = \"grid\"\nsafe = false\n" + cube), {"--resume"});
-  };
-  for (const std::string& bytes : {std::string(), std::string("not a scan at all, but something longer"), std::string(100000, '\0')}) {
-    const Result result = resumed(bytes);
-    INFO(result.err);
-    CHECK(result.status == 2);
-    CHECK_THAT(result.err, Contains("workspace.scan") && Contains("remove it, or run without --resume"));
+  here.write("s.toml", scenario("gough", "method = \"grid\"\nsafe = false\n" + cube));
+  REQUIRE(pmreport({"s.toml", "-o", "whole"}, {.folder = here.path()}).status == 0);
+  for (const std::string& bytes : {std::string(), std::string("not a chunk at all, but something longer"), std::string(100000, '\0')}) {
+    REQUIRE(pmreport({"s.toml", "-o", "parts", "--shard", "1/1"}, {.folder = here.path()}).status == 0);
+    const std::vector<std::filesystem::path> files = files_in(here / "parts.chunks");
+    REQUIRE(files.size() == 1);
+    here.write(std::filesystem::relative(files.front(), here.path()), bytes);
+    const Result result = pmreport({"s.toml", "-o", "parts", "--resume"}, {.folder = here.path()});
+    CHECK(result.status == 0);
+    CHECK_THAT(result.err, Contains("1 chunk in parts.chunks was not as written, and done again"));
+    CHECK(contents(here / "whole") == contents(here / "parts"));
   }
 }

@@ -1,18 +1,8 @@
 #include <core/analysis/design/sweep.hpp>
 
-#include <fmt/format.h>
-#include <tbb/parallel_for.h>
-
-#include <algorithm>
+#include <core/analysis/design/judge_all.hpp>
 
 namespace pmreport::analysis {
-
-namespace {
-
-// Few enough that a run can be stopped between them, and enough for every thread.
-constexpr std::size_t at_a_time = 16;
-
-}  // namespace
 
 Sweep sweep(const std::vector<SweptVariable>& variables, const Judge& judge, const Progress& progress) {
   Sweep out;
@@ -24,13 +14,11 @@ Sweep sweep(const std::vector<SweptVariable>& variables, const Judge& judge, con
     for (std::size_t i = variables.size(); i-- > 0; rest /= variables[i].count) values[i] = variables[i].value(rest % variables[i].count);
     out.values.push_back(std::move(values));
   }
-  out.judged.resize(count);
-  for (std::size_t first = 0; first < count; first += at_a_time) {
-    progress.stop_if_asked();
-    progress.say(fmt::format("{} of {} variants", first, count));
-    const std::size_t here = std::min(at_a_time, count - first);
-    tbb::parallel_for(std::size_t{0}, here, [&](std::size_t k) { out.judged[first + k] = judge(out.values[first + k]); });
-  }
+  chunks::Meaning meaning;
+  for (const std::vector<double>& values : out.values)
+    for (const double x : values) meaning << x;
+  out.judged = judge_all(
+      {progress.part + " variants", meaning.value()}, count, [&](std::size_t k) { return judge(out.values[k]); }, progress);
   return out;
 }
 

@@ -1,18 +1,11 @@
+#include <core/analysis/design/judge_all.hpp>
 #include <core/analysis/design/trials.hpp>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
 namespace pmreport::analysis {
-
-namespace {
-
-// Few enough that a run can be stopped between them, and enough for every thread.
-constexpr std::size_t at_a_time = 16;
-
-}  // namespace
 
 Trials::Trials(const DesignProblem& problem, std::size_t most, const Progress& progress)
     : problem_(problem), most_(most), progress_(progress) {}
@@ -43,14 +36,15 @@ void Trials::at_all(const std::vector<std::vector<double>>& values, const std::s
   std::vector<std::vector<double>> fresh;
   for (const std::vector<double>& v : values)
     if (fresh.size() < left() && known(v) == nullptr && std::ranges::find(fresh, v) == fresh.end()) fresh.push_back(v);
-  for (std::size_t first = 0; first < fresh.size(); first += at_a_time) {
-    progress_.stop_if_asked();
-    const std::size_t count = std::min(at_a_time, fresh.size() - first);
-    std::vector<Judged> judged(count);
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) { judged[k] = problem_.judge(fresh[first + k]); });
-    for (std::size_t k = 0; k < count; ++k) add(std::move(fresh[first + k]), std::move(judged[k]), by);
-    tell();
-  }
+  chunks::Meaning meaning;
+  for (const std::vector<double>& v : fresh)
+    for (const double x : v) meaning << x;
+  // What is tried next depends on what these come to, wherever the search goes on.
+  std::vector<Judged> judged = judge_all(
+      {fmt::format("{} trials from {}", progress_.part, trials_.size()), meaning.value(), 0, true}, fresh.size(),
+      [&](std::size_t k) { return problem_.judge(fresh[k]); }, progress_);
+  for (std::size_t k = 0; k < fresh.size(); ++k) add(std::move(fresh[k]), std::move(judged[k]), by);
+  tell();
 }
 
 std::vector<double> Trials::values_of(const std::vector<double>& unit) const {

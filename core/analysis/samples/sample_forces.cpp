@@ -16,53 +16,52 @@ using mechanics::Vector6d;
 
 namespace {
 
-void put(double* column, std::size_t sample, double value) {
-  if (column != nullptr && std::isfinite(value)) column[sample] = value + 0.0;  // no negative zero
+void put(double* column, std::size_t k, double value) {
+  if (column != nullptr && std::isfinite(value)) column[k] = value + 0.0;  // no negative zero
 }
 
 }  // namespace
 
 SampleForces::SampleForces(const mechanics::Trajectory& trajectory, const scenario::Load& load,
                            const std::vector<mechanics::DriveTrain>& drives, const mechanics::Machine& m,
-                           const mechanics::JointFrames& frames, double length, const ForceColumns& columns, bool evidence)
+                           const mechanics::JointFrames& frames, double length, bool evidence)
     : trajectory_(trajectory),
       load_(load),
       drives_(drives),
       machine_(m),
       frames_(frames),
       length_(length),
-      columns_(columns),
       evidence_(evidence),
       dynamics_(m),
-      indeterminate_(m.topology().joints.size(), 0),
       split_(m) {
-  elastic_.settled.assign(m.topology().joints.size(), 0);
   loading_.gravity = load.gravity;
   reactions_.joints.resize(m.topology().joints.size());
   reactions_.actuator_forces.resize(m.dof());
 }
 
-void SampleForces::run(std::span<const Order> orders, Residuals& residuals) {
+ReactionFindings SampleForces::run(std::span<const Order> orders, const Into& into) {
+  found_ = ReactionFindings(machine_.topology().joints.size());
   solve(orders);
   const mechanics::Trajectory& motion = trajectory_;
   for (std::size_t k = 0; k < orders.size(); ++k) {
     const Order& order = orders[k];
-    const auto sample = static_cast<std::size_t>(order.sample);
+    const auto sample = static_cast<std::size_t>(order.sample), row = static_cast<std::size_t>(order.sample - into.first);
     if (!take(k, orders.size())) continue;
     const SmallVector q = motion.value.row(order.sample), rate = motion.rate.row(order.sample),
                       acceleration = motion.acceleration.row(order.sample);
     evaluate(machine_, q.data(), rate.data(), acceleration.data(), state_);
     loading_.platform << load_.force[sample], load_.moment[sample];
-    settle(k, orders.size(), sample);
+    settle(k, orders.size(), order.sample);
     const mechanics::Tangent t = tangent(machine_, state_);
     const mechanics::ForceShares shares = virtual_work(machine_, state_, t, loading_);
     const SmallVector total = shares.total();
-    put_actuators(sample, shares, total);
-    put_drives(sample, t, total);
-    put_reactions(sample);
+    put_actuators(into.columns, row, shares, total);
+    put_drives(into.columns, row, t, total);
+    put_reactions(into.columns, row);
 
-    if (evidence_) prove(order, shares, total, residuals[sample]);
+    if (evidence_) prove(order, shares, total, into.rows[row]);
   }
+  return std::move(found_);
 }
 
 // Of what `take` took.
@@ -98,7 +97,7 @@ void SampleForces::solve(std::span<const Order> orders) {
     }
   }
   dynamics_.solve(count, jets_.data(), loads_.data(), load_.gravity, chunk_);
-  self_stresses_ = std::max(self_stresses_, chunk_.stress_count);
+  found_.self_stresses = chunk_.stress_count;
 }
 
 bool SampleForces::take(std::size_t k, std::size_t count) {
@@ -110,84 +109,86 @@ bool SampleForces::take(std::size_t k, std::size_t count) {
   return true;
 }
 
-void SampleForces::settle(std::size_t k, std::size_t count, std::size_t sample) {
+void SampleForces::settle(std::size_t k, std::size_t count, int sample) {
   least_norm_ = reactions_.joints;
   const auto rigid = [&](std::size_t j) { return chunk_.indeterminate[j * count + k]; };
+  std::vector<Indeterminate>& indeterminate = found_.indeterminate;
   if (!split_.any() || chunk_.stress_count == 0) {
-    for (std::size_t j = 0; j < indeterminate_.size(); ++j) indeterminate_[j] = static_cast<Indeterminate>(indeterminate_[j] | rigid(j));
+    for (std::size_t j = 0; j < indeterminate.size(); ++j) indeterminate[j] = static_cast<Indeterminate>(indeterminate[j] | rigid(j));
     return;
   }
+  ElasticReactions& elastic = found_.elastic;
   const auto answer = split_.add(state_.placement_jets.data(), 3, chunk_, k, count, reactions_.joints);
-  elastic_.stresses = std::max(elastic_.stresses, answer.settled);
-  elastic_.open = std::max(elastic_.open, static_cast<int>(answer.open.size()));
+  elastic.stresses = std::max(elastic.stresses, answer.settled);
+  elastic.open = std::max(elastic.open, static_cast<int>(answer.open.size()));
   const auto open = indeterminate_components(state_, frames_, answer.open, length_);
-  for (std::size_t j = 0; j < indeterminate_.size(); ++j) {
-    indeterminate_[j] = static_cast<Indeterminate>(indeterminate_[j] | (rigid(j) & open[j]));
-    elastic_.settled[j] = static_cast<Indeterminate>(elastic_.settled[j] | (rigid(j) & ~open[j]));
+  for (std::size_t j = 0; j < indeterminate.size(); ++j) {
+    indeterminate[j] = static_cast<Indeterminate>(indeterminate[j] | (rigid(j) & open[j]));
+    elastic.settled[j] = static_cast<Indeterminate>(elastic.settled[j] | (rigid(j) & ~open[j]));
     const Vector6d missed = reactions_.joints[j] - least_norm_[j];
-    const int joint = static_cast<int>(j), at = static_cast<int>(sample);
-    if (const double f = missed.head<3>().norm(); f > elastic_.force)
-      elastic_.force = f, elastic_.force_joint = joint, elastic_.force_sample = at;
-    if (const double m = missed.tail<3>().norm(); m > elastic_.moment)
-      elastic_.moment = m, elastic_.moment_joint = joint, elastic_.moment_sample = at;
+    const int joint = static_cast<int>(j);
+    if (const double f = missed.head<3>().norm(); f > elastic.force)
+      elastic.force = f, elastic.force_joint = joint, elastic.force_sample = sample;
+    if (const double m = missed.tail<3>().norm(); m > elastic.moment)
+      elastic.moment = m, elastic.moment_joint = joint, elastic.moment_sample = sample;
   }
 }
 
-void SampleForces::put_actuators(std::size_t sample, const mechanics::ForceShares& shares, const SmallVector& total) {
+void SampleForces::put_actuators(const ForceColumns& to, std::size_t k, const mechanics::ForceShares& shares, const SmallVector& total) {
   double power = 0;
-  for (std::size_t i = 0; i < columns_.actuators.size(); ++i) {
+  for (std::size_t i = 0; i < to.actuators.size(); ++i) {
     const auto at = static_cast<Index>(i);
-    const ForceColumns::ActuatorColumns& to = columns_.actuators[i];
+    const ForceColumns::ActuatorColumns& column = to.actuators[i];
     const double own = total(at) * state_.actuators[i].rate;
-    put(to.force, sample, total(at));
-    put(to.load, sample, shares.load(at));
-    put(to.gravity, sample, shares.gravity(at));
-    put(to.inertia, sample, shares.inertia(at));
-    put(to.power, sample, own);
+    put(column.force, k, total(at));
+    put(column.load, k, shares.load(at));
+    put(column.gravity, k, shares.gravity(at));
+    put(column.inertia, k, shares.inertia(at));
+    put(column.power, k, own);
     power += own;
   }
-  put(columns_.total_power, sample, power);
-  put(columns_.load_power, sample, loading_.platform.dot(state_.bodies[static_cast<std::size_t>(machine_.topology().platform)].twist()));
-  put(columns_.kinetic_energy, sample, kinetic_energy(machine_, state_));
-  put(columns_.potential_energy, sample, potential_energy(machine_, state_, loading_.gravity));
+  put(to.total_power, k, power);
+  put(to.load_power, k, loading_.platform.dot(state_.bodies[static_cast<std::size_t>(machine_.topology().platform)].twist()));
+  put(to.kinetic_energy, k, kinetic_energy(machine_, state_));
+  put(to.potential_energy, k, potential_energy(machine_, state_, loading_.gravity));
 }
 
-void SampleForces::put_drives(std::size_t sample, const mechanics::Tangent& tangent, const SmallVector& total) {
-  if (columns_.actuators.front().drive_force == nullptr) return;
+void SampleForces::put_drives(const ForceColumns& to, std::size_t k, const mechanics::Tangent& tangent, const SmallVector& total) {
+  if (to.actuators.front().drive_force == nullptr) return;
   const SmallVector inertia = reflected_inertia(tangent, equations_of_motion(machine_, state_, tangent, loading_.gravity).mass);
-  for (std::size_t i = 0; i < columns_.actuators.size(); ++i) {
+  for (std::size_t i = 0; i < to.actuators.size(); ++i) {
     const auto at = static_cast<Index>(i);
-    const ForceColumns::ActuatorColumns& to = columns_.actuators[i];
+    const ForceColumns::ActuatorColumns& column = to.actuators[i];
     const mechanics::Scalar& x = state_.actuators[i];
     const mechanics::DriveTrain& drive = drives_.at(i);
     const double force = drive_force(drive, total(at), x.rate);
-    put(to.drive_force, sample, force);
-    put(to.drive_power, sample, force * x.rate);
-    put(to.reflected_inertia, sample, inertia(at));
-    if (to.motor_torque == nullptr) continue;
+    put(column.drive_force, k, force);
+    put(column.drive_power, k, force * x.rate);
+    put(column.reflected_inertia, k, inertia(at));
+    if (column.motor_torque == nullptr) continue;
     const mechanics::MotorState motor = mechanics::motor(drive, total(at), x.rate, x.acceleration);
-    put(to.motor_torque, sample, motor.torque);
-    put(to.motor_speed, sample, motor.speed);
-    put(to.motor_power, sample, motor.power());
+    put(column.motor_torque, k, motor.torque);
+    put(column.motor_speed, k, motor.speed);
+    put(column.motor_power, k, motor.power());
   }
 }
 
-void SampleForces::put_reactions(std::size_t sample) {
-  for (std::size_t j = 0; j < columns_.joints.size(); ++j) {
-    const ForceColumns::JointColumns& to = columns_.joints[j];
-    if (to.force == nullptr) return;
+void SampleForces::put_reactions(const ForceColumns& to, std::size_t k) {
+  for (std::size_t j = 0; j < to.joints.size(); ++j) {
+    const ForceColumns::JointColumns& column = to.joints[j];
+    if (column.force == nullptr) return;
     const Vector6d& wrench = reactions_.joints[j];
     const Vector6d local = mechanics::in_axes(frames_(state_, static_cast<int>(j)), wrench);
-    put(to.force, sample, wrench.head<3>().norm());
-    put(to.moment, sample, wrench.tail<3>().norm());
+    put(column.force, k, wrench.head<3>().norm());
+    put(column.moment, k, wrench.tail<3>().norm());
     for (std::size_t c = 0; c < 6; ++c) {
-      put(to.joint_axes[c], sample, local(static_cast<Index>(c)));
-      put(to.base_axes[c], sample, wrench(static_cast<Index>(c)));
+      put(column.joint_axes[c], k, local(static_cast<Index>(c)));
+      put(column.base_axes[c], k, wrench(static_cast<Index>(c)));
     }
   }
   const std::vector<Vector6d> limbs = limb_wrenches(machine_, state_, reactions_);
   for (std::size_t i = 0; i < limbs.size(); ++i)
-    for (std::size_t c = 0; c < 6; ++c) put(columns_.limbs[i][c], sample, limbs[i](static_cast<Index>(c)));
+    for (std::size_t c = 0; c < 6; ++c) put(to.limbs[i][c], k, limbs[i](static_cast<Index>(c)));
 }
 
 // Largest deviation of a force, or a moment per length, of what `take` took; relative to the largest in any joint.

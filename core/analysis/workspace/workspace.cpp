@@ -18,43 +18,22 @@ constexpr double told_before = 60;                         // [s] a scan that ta
 
 bool asks(const WorkspaceRequest& r, ScanMethod m) { return std::ranges::find(r.methods, m) != r.methods.end(); }
 
-// FNV-1a over all that decides what a scan counts.
-class Hash {
- public:
-  template <class T>
-  Hash& operator<<(const T& x) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    const auto* bytes = reinterpret_cast<const unsigned char*>(&x);
-    for (std::size_t i = 0; i < sizeof(T); ++i) value_ = (value_ ^ bytes[i]) * 0x100000001b3ULL;
-    return *this;
+// Its meaning is that of what decides a scan besides its set and its range: of what the late margins are made from, which are functions of
+// the mechanism.
+chunks::Work work_of(const Workspace& w, const mechanics::Machine& machine, const char* method) {
+  chunks::Meaning m;
+  m << machine.info().name;
+  for (const std::vector<double>& values : machine.values()) {
+    m << values.size();
+    for (const double x : values) m << x;
   }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325ULL;
-};
-
-std::uint64_t hash_of(const Workspace& w, const scan::GridOptions& options) {
-  Hash h;
-  for (const program::Step& s : w.set.margins.steps()) h << s.operation << s.a << s.b << s.c << s.constant;
-  for (const int o : w.set.margins.outputs()) h << o;
-  for (const double x : w.set.rounding) h << x;
-  for (const mechanics::PoseLimit& l : w.margins.limits) {
-    h << l.group << l.min << l.max;
-    for (const char c : l.name + "\n" + l.value + "\n") h << c;
-  }
+  for (const mechanics::PoseLimit& l : w.margins.limits) m << l.group << l.name << l.value << l.min << l.max;
   for (const mechanics::AskedLimit& asked : w.request.limits.asked)
-    if (const auto* c = std::get_if<mechanics::AskedCompliance>(&asked.what)) h << c->drive_stiffness << c->horizontal;
-  h << w.margins.late << w.margins.every;
-  for (const int i : w.scan.turned) h << i;
-  for (const double x : w.scan.at) h << x;
-  for (const scan::Axis& a : w.scan.points) h << a.input << a.from << a.to << a.count;
-  for (const auto& o : w.scan.orientations)
-    for (const double x : o) h << x;
-  h << options.reasons << options.keep_poses << (options.sign != nullptr);
-  if (options.sign != nullptr)
-    for (const program::Step& s : options.sign->steps()) h << s.operation << s.a << s.b << s.c << s.constant;
-  return h.value();
+    if (const auto* c = std::get_if<mechanics::AskedCompliance>(&asked.what)) m << c->drive_stiffness << c->horizontal;
+  m << w.margins.late << w.margins.every << w.request.tool.has_value();
+  if (w.request.tool)
+    for (const double x : *w.request.tool) m << x;
+  return {fmt::format("workspace {} {}", method, w.request.name), m.value()};
 }
 
 // A scan told by how far it is.
@@ -87,9 +66,7 @@ void count_the_grid(Workspace& w, const mechanics::Machine& machine, const Progr
                                    most_memory >> 20, w.request.one_sheet ? ", or leave out one_sheet" : ""));
   if (const double seconds = scan::seconds_needed(w.set, w.scan, options); seconds > told_before)
     progress.say(fmt::format("workspace: {:.3g} poses, about {:.0f} min at most", poses, std::ceil(seconds / 60)));
-  if (!progress.checkpoints.empty())
-    options.checkpoint = scan::Checkpoint{progress.checkpoints / (w.request.name + ".scan"), progress.resume, hash_of(w, options)};
-  w.grid = scan::count_grid(w.set, w.scan, options, watch_of(progress, "workspace, grid"));
+  w.grid = scan::count_grid(w.set, w.scan, options, watch_of(progress, "workspace, grid"), work_of(w, machine, "grid"), progress.sharing);
   std::vector<std::size_t> counts;
   for (const scan::Axis& a : w.scan.points) counts.push_back(a.count);
   w.components = scan::components(counts, w.grid->accepted_at);
@@ -99,25 +76,36 @@ void count_the_grid(Workspace& w, const mechanics::Machine& machine, const Progr
   w.sheet = scan::sheet_of(counts, turned, *w.grid, nearest_to_home(w, machine));
 }
 
-void prove_volumes(Workspace& w, const Progress& progress) {
+void estimate_the_share(Workspace& w, const mechanics::Machine& machine, const Progress& progress) {
+  const scan::MonteCarloOptions options{w.request.poses, w.request.seed, w.request.reasons};
+  const std::size_t need = w.request.at_least.empty() ? 1 : static_cast<std::size_t>(w.request.at_least.front());
+  w.estimate = scan::monte_carlo(w.set, w.scan, need, options, watch_of(progress, "workspace, Monte Carlo"),
+                                 work_of(w, machine, "Monte Carlo"), progress.sharing);
+}
+
+void prove_volumes(Workspace& w, const mechanics::Machine& machine, const Progress& progress) {
   scan::VolumeOptions options;
   options.gap = w.request.gap, options.seconds = w.request.seconds;
+  const auto proved = [&](const std::string& of) {
+    return scan::prove_volume(w.set, w.scan, options, watch_of(progress, "workspace, proof" + of), work_of(w, machine, "proof"),
+                              progress.sharing);
+  };
   if (w.scan.orientations.empty()) {
-    w.proof = scan::prove_volume(w.set, w.scan, options, watch_of(progress, "workspace, proof"));
+    w.proof = proved("");
     return;
   }
   for (const std::uint64_t need : w.request.at_least) {
     options.need = static_cast<std::size_t>(need);
-    w.proof_at_least.push_back(scan::prove_volume(w.set, w.scan, options, watch_of(progress, fmt::format("workspace, proof, {}", need))));
+    w.proof_at_least.push_back(proved(fmt::format(", {}", need)));
   }
   w.proof = w.proof_at_least.front();
 }
 
-void prove(Workspace& w, const Progress& progress) {
+void prove(Workspace& w, const mechanics::Machine& machine, const Progress& progress) {
   w.not_proved = unprovable(w);
   if (!w.not_proved.empty()) return;
   try {
-    prove_volumes(w, progress);
+    prove_volumes(w, machine, progress);
   } catch (const program::ProgramError& e) {
     w.proof.reset(), w.proof_at_least.clear();
     w.not_proved = fmt::format("the limits are too long a program to be proved over so many coordinates: {}", e.what());
@@ -200,13 +188,12 @@ Workspace workspace(const mechanics::Machine& machine, const WorkspaceRequest& r
   w.unit = unit_of(w.scan, machine);
   judge_home(w, machine);
   progress.stop_if_asked();
-  if (asks(w.request, ScanMethod::proof)) prove(w, progress);
-  if (asks(w.request, ScanMethod::grid)) count_the_grid(w, machine, progress);
-  if (asks(w.request, ScanMethod::monte_carlo)) {
-    scan::MonteCarloOptions options{w.request.poses, w.request.seed, w.request.reasons};
-    const std::size_t need = w.request.at_least.empty() ? 1 : static_cast<std::size_t>(w.request.at_least.front());
-    w.estimate = scan::monte_carlo(w.set, w.scan, need, options, watch_of(progress, "workspace, Monte Carlo"));
-  }
+  chunks::Attempts attempts;
+  if (asks(w.request, ScanMethod::proof)) attempts.add([&] { prove(w, machine, progress); });
+  if (asks(w.request, ScanMethod::grid)) attempts.add([&] { count_the_grid(w, machine, progress); });
+  if (asks(w.request, ScanMethod::monte_carlo)) attempts.add([&] { estimate_the_share(w, machine, progress); });
+  attempts.demand();
+  chunks::leave_to_collector(progress.sharing);
   if (w.request.safe) find_safe_poses(w, machine, progress);
   return w;
 }

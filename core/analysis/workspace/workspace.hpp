@@ -58,7 +58,7 @@ struct NoProgram : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Throws NoProgram, ScanTooLarge, scan::CheckpointError, mechanics::MechanismError, and what progress.stop_if_asked throws.
+// Throws NoProgram, ScanTooLarge, what chunks::run throws, mechanics::MechanismError, and what progress.stop_if_asked throws.
 Workspace workspace(const mechanics::Machine& machine, const WorkspaceRequest& request, const Progress& progress);
 
 }  // namespace pmreport::analysis

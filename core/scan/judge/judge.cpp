@@ -254,4 +254,8 @@ void Judge::finish(Tally& tally) {
     if (waiting_[s].count > 0) drain(s, tally);
 }
 
+void Judge::forget() {
+  for (Waiting& w : waiting_) w.count = 0;
+}
+
 }  // namespace pmreport::scan

@@ -58,6 +58,8 @@ class Judge {
   void run(const PointBlock& points, const double* others, std::uint32_t turn, Tally& tally);
   // All that wait.
   void finish(Tally& tally);
+  // What waits is not looked at any more: whoever gave it has given up.
+  void forget();
 
  private:
   // Poses that nothing refused so far.

@@ -7,7 +7,8 @@
 
 namespace pmreport::scan {
 
-Orientations::Orientations(const Plan& plan, std::size_t first, std::size_t count) : plan_(plan), width_(plan.width()), numbers_(count) {
+Orientations::Orientations(const Plan& plan, std::size_t first, std::size_t count)
+    : plan_(plan), first_(first), width_(plan.width()), numbers_(count) {
   std::iota(numbers_.begin(), numbers_.end(), first);
   const auto& list = plan.scan.orientations;
   for (std::size_t i = 0; i < plan.scan.turned.size() && !list.empty(); ++i) {
@@ -85,6 +86,22 @@ void Orientations::enclose(int n) {
   enclose(here.children);
   enclose(here.children + 1);
   for (std::size_t i = 0; i < width_; ++i) out[i] = hull(bounds(here.children)[i], bounds(here.children + 1)[i]);
+}
+
+std::vector<int> Orientations::parts(std::uint64_t most) const {
+  std::vector<int> out;
+  add_parts(0, most, out);
+  return out;
+}
+
+void Orientations::add_parts(int n, std::uint64_t most, std::vector<int>& out) const {
+  const Node& here = node(n);
+  if (here.end - here.begin <= most || here.children == 0) {
+    out.push_back(n);
+    return;
+  }
+  add_parts(here.children, most, out);
+  add_parts(here.children + 1, most, out);
 }
 
 }  // namespace pmreport::scan

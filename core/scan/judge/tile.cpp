@@ -11,6 +11,15 @@ std::size_t Tile::longest() const {
   return out;
 }
 
+Tile Tile::whole(const Scan& scan) {
+  Tile out;
+  for (const Axis& a : scan.points) {
+    out.begin.push_back(0);
+    out.end.push_back(a.count);
+  }
+  return out;
+}
+
 Tiling::Tiling(const Scan& scan, std::size_t most) {
   for (const Axis& a : scan.points) counts_.push_back(a.count);
   shape_ = counts_;

@@ -3,9 +3,7 @@
 
 #include <core/scan/pose_set.hpp>
 
-#include <atomic>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -27,6 +25,7 @@ struct Tile {
     return n;
   }
   std::size_t longest() const;  // the axis with most values
+  static Tile whole(const Scan& scan);
   bool operator==(const Tile&) const = default;
 };
 
@@ -57,15 +56,17 @@ void each_point(const Tile& tile, F&& f) {
   }
 }
 
-// One bit a pose in words that several threads may mark; none: nothing is marked.
-struct PoseBits {
-  std::uint64_t* accepted = nullptr;
-  std::uint64_t* positive = nullptr;  // both or neither
-  std::uint64_t* negative = nullptr;
-
-  static void mark(std::uint64_t* words, std::size_t pose) {
-    std::atomic_ref(words[pose / 64]).fetch_or(std::uint64_t{1} << pose % 64, std::memory_order_relaxed);
+// f(k, number, length) of each row of points of a tile that stand together in the grid too: the first of them within the tile, and within
+// the grid, whose points are all those of `grid`.
+template <class F>
+void each_row(const Tile& tile, const Tile& grid, F&& f) {
+  Tile firsts = tile;
+  std::size_t length = 1;
+  if (!tile.end.empty()) {
+    length = tile.end.back() - tile.begin.back();
+    firsts.end.back() = firsts.begin.back() + 1;
   }
-};
+  each_point(firsts, [&](std::size_t row, std::span<const std::size_t> at) { f(row * length, grid.place(at), length); });
+}
 
 }  // namespace pmreport::scan

@@ -9,18 +9,27 @@ namespace pmreport::scan {
 
 namespace {
 
-constexpr std::size_t together = 64;       // blocks that intervals look at in one call
-constexpr std::size_t fewest = 1024;       // poses of a block that is not halved any more
-constexpr std::size_t fewest_points = 64;  // and points: fewer do not pay for what each orientation costs beside them
-constexpr std::size_t most_points = 4096;  // that are judged in one go: they stay in the second-level cache
+constexpr std::size_t together = 64;         // blocks that intervals look at in one call
+constexpr std::size_t fewest = 1024;         // poses of a block that is not halved any more
+constexpr std::size_t fewest_points = 64;    // and points: fewer do not pay for what each orientation costs beside them
+constexpr std::size_t most_points = 4096;    // that are judged in one go: they stay in the second-level cache
+constexpr std::size_t between_looks = 4096;  // poses that are judged before it is asked whether to stop: late margins take them 0.1 s
 
 }  // namespace
 
-Walk::Walk(const Plan& plan, bool prune, PoseBits bits)
+Found& Found::operator+=(const Found& more) {
+  tally += more.tally;
+  for (std::size_t k = 0; k < accepted.size(); ++k) accepted[k] += more.accepted[k];
+  for (std::size_t k = 0; k < by_others.size(); ++k) by_others[k] += more.by_others[k];
+  positive += more.positive;
+  negative += more.negative;
+  return *this;
+}
+
+Walk::Walk(const Plan& plan, bool prune, std::function<void()> stop_if_asked)
     : plan_(plan),
       prune_(prune),
-      bits_(bits),
-      each_(bits.accepted != nullptr || !plan.sign.outputs().empty()),
+      stop_if_asked_(std::move(stop_if_asked)),
       judge_(plan, [this](const Accepted& accepted) { take(accepted); }) {
   for (const Stage& s : plan.stages) {
     if (prune) boxes_.emplace_back(s.program);
@@ -31,8 +40,6 @@ Walk::Walk(const Plan& plan, bool prune, PoseBits bits)
   for (const Axis& a : plan.scan.points) {
     values_.emplace_back();
     for (std::size_t k = 0; k < a.count; ++k) values_.back().push_back(a.value(k));
-    whole_.begin.push_back(0);
-    whole_.end.push_back(a.count);
   }
 }
 
@@ -41,19 +48,21 @@ std::size_t Walk::turned(const Block& b) const {
   return n.end - n.begin;
 }
 
-Found Walk::run(const Tile& tile, const Orientations& orientations, int node) {
+Found Walk::run(const Tile& tile, const Orientations& orientations, int node, PoseBits bits) {
   orientations_ = &orientations;
   root_ = &tile;
+  bits_ = bits;
+  each_ = bits.accepted != nullptr || !plan_.sign.outputs().empty();
   posed_.reset();
+  open_.clear();
+  judge_.forget();
   found_ = {empty_tally(plan_.set.size(), plan_.reasons), std::vector<std::uint32_t>(tile.size(), 0), {}, 0, 0};
   if (plan_.set.late.every > 0) found_.by_others.resize(tile.size());
-  numbers_.clear();
-  if (bits_.accepted != nullptr)
-    each_point(tile, [&](std::size_t, std::span<const std::size_t> at) { numbers_.push_back(whole_.place(at)); });
   open_.push_back({tile, node, std::vector<Verdict>(plan_.margins, Verdict::open)});
   found_.tally.poses = poses(open_.back());
   std::vector<Block> now;
   while (!open_.empty()) {
+    stop_if_asked_();
     const std::size_t n = std::min(together, open_.size());
     now.assign(std::make_move_iterator(open_.end() - static_cast<std::ptrdiff_t>(n)), std::make_move_iterator(open_.end()));
     open_.resize(open_.size() - n);
@@ -184,12 +193,20 @@ void Walk::judge(const Block& b) {
   if (posed_ != b.tile) pose_points(b.tile);
   judge_.set(b.verdicts);
   const Orientations::Node& node = orientations_->node(b.node);
-  for (std::size_t o = node.begin; o < node.end; ++o)
+  for (std::size_t o = node.begin; o < node.end; ++o) {
     judge_.run(points_, orientations_->others(o), static_cast<std::uint32_t>(o), found_.tally);
+    ask(points_.count);
+  }
+}
+
+void Walk::ask(std::size_t judged) {
+  judged_ += judged;
+  if (judged_ < between_looks) return;
+  judged_ = 0;
+  stop_if_asked_();
 }
 
 void Walk::take(const Accepted& accepted) {
-  const std::size_t orientations = plan_.scan.orientation_count();
   for (std::size_t k = 0; k < accepted.places.size(); ++k) found_.accepted[accepted.places[k]] += accepted.known[k] > is_refused;
   if (plan_.set.late.every > 0)
     for (const std::uint32_t place : accepted.places) ++found_.by_others[place];
@@ -200,7 +217,7 @@ void Walk::take(const Accepted& accepted) {
     found_.positive += sign > 0;
     found_.negative += sign < 0;
     if (bits_.accepted == nullptr) continue;
-    const std::size_t pose = numbers_[accepted.places[k]] * orientations + orientations_->number(accepted.turns[k]);
+    const std::size_t pose = accepted.places[k] * orientations_->size() + orientations_->place(accepted.turns[k]);
     PoseBits::mark(bits_.accepted, pose);
     if (sign > 0) PoseBits::mark(bits_.positive, pose);
     if (sign < 0) PoseBits::mark(bits_.negative, pose);

@@ -50,10 +50,10 @@ std::string motion_of(const Coordinate& c, std::size_t number, double share) {
   const double amplitude = round_below(share * room / factor);
   const bool at_zero = std::abs(c.home) <= 1e-9 * std::max(up, down);  // but for rounding
   const std::string home = at_zero ? "" : quantity_in_words(c.home, unit);
-  if (amplitude == 0) return fmt::format("{} = \"{}\"", c.name, home.empty() ? "0 " + unit : home);
+  if (amplitude == 0) return fmt::format("{} = \"{}\"", toml_key(c.name), home.empty() ? "0 " + unit : home);
   const std::string way = fmt::format(fmt::runtime(ways[one_sided ? 1 : number % std::size(ways)]), period);
   const char* sign = one_sided && down > up ? "-" : home.empty() ? "" : "+";
-  return fmt::format("{} = \"{}{}{}{} * {}\"", c.name, home.empty() ? "" : home + " ", sign, home.empty() ? "" : " ",
+  return fmt::format("{} = \"{}{}{}{} * {}\"", toml_key(c.name), home.empty() ? "" : home + " ", sign, home.empty() ? "" : " ",
                      fmt::format("{} {}", format_number(amplitude, 6), unit), way);
 }
 
@@ -94,8 +94,8 @@ std::string text_of(const Attempt& a) {
       out += section_of(kind, "times = [\"0 s\", \"1 s\"]\n");
   const std::string effort = mechanics::unit_of_effort(t.actuators.front().sense());
   const std::string comment = a.bound.empty() ? "" : "  # twice what this motion asks for; put what yours can bear";
-  return out +
-         fmt::format("\n[[check]]\nthat = \"{}\"\nbelow = \"{}\"{}\n", checked(t), a.bound.empty() ? "1e12 " + effort : a.bound, comment);
+  return out + fmt::format("\n[[check]]\nthat = {}\nbelow = \"{}\"{}\n", toml_string(checked(t)),
+                           a.bound.empty() ? "1e12 " + effort : a.bound, comment);
 }
 
 // The smallest number of one digit 1, 2 or 5 that is not below x, which is above 0.

@@ -87,6 +87,9 @@ std::vector<std::string> shared_arguments(const Options& options) {
   if (options.check_only) out.push_back("--check");
   if (options.quiet) out.push_back("--quiet");
   if (options.resume) out.push_back("--resume");
+  if (!options.chunks.empty()) out.insert(out.end(), {"--chunks", options.chunks});
+  if (options.max_memory) out.insert(out.end(), {"--max-memory", fmt::format("{} kB", *options.max_memory / 1e3)});
+  if (options.sandbox) out.push_back("--sandbox");
   return out;
 }
 

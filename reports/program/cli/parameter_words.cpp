@@ -61,9 +61,15 @@ std::string toml_string(const std::string& text) {
   return "\"" + out + "\"";
 }
 
+std::string toml_key(const std::string& name) {
+  const bool bare =
+      !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == name.npos;
+  return bare ? name : toml_string(name);
+}
+
 std::string default_in_toml(const ParameterInfo& p) {
   if (p.kind == PM_CHOICE) return toml_string(default_choice(p));
-  return default_of(p, [&](double x) { return p.display.empty() ? quantity_in(x, "") : "\"" + quantity_in(x, p.display) + "\""; });
+  return default_of(p, [&](double x) { return p.display.empty() ? quantity_in(x, "") : toml_string(quantity_in(x, p.display)); });
 }
 
 std::string default_in_words(const ParameterInfo& p) {

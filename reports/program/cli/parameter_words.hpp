@@ -17,6 +17,7 @@ std::string display_unit_of(const std::string& si);
 
 // A text as a TOML string of one line.
 std::string toml_string(const std::string& text);
+std::string toml_key(const std::string& name);  // in quotes where it needs them
 
 // As a TOML value: "\"400 mm\"", "[\"1 mm\", \"2 mm\"]", "\"steel\"".
 std::string default_in_toml(const mechanics::ParameterInfo& p);

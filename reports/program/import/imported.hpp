@@ -3,6 +3,8 @@
 
 #include <reports/program/import/settings.hpp>
 
+#include <array>
+#include <core/mechanics/machine/machine.hpp>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -13,6 +15,8 @@ namespace pmreport::program {
 struct Imported {
   std::string mechanism, title;
   settings::Place place;               // where the settings say what machine it is
+  settings::Place home = {};           // where they say its home; line 0: they do not, and home is made up
+  std::string unit = "mm";             // of lengths, as the settings have them
   std::vector<std::string> told;       // sentences on what was taken, and what is not the file's
   std::string parameters;              // lines of [mechanism.parameters]
   std::string tables;                  // of the scenario, before its sections
@@ -43,6 +47,9 @@ void check_length(double value, double metres, const settings::Place& place, con
 // Lines "printer.cfg, [fan]: pin, ..." of all settings whose place is not in `taken`, one a section.
 void tell_rest(const settings::Settings& all, const std::set<int>& taken, std::vector<std::string>& out);
 
+// Refuses a home where the machine is none, by the line that sets it: out of an actuator's stroke, or on a singular surface.
+void check_home(const Imported& made, const mechanics::Machine& machine);
+
 // Three upright towers with their rods, as printers have them.
 struct Towers {
   std::string unit = "mm";
@@ -52,7 +59,10 @@ struct Towers {
   double home = 0;                                       // height of the nozzle
   std::string lowest_from, highest_from;                 // what of the file they follow from
 };
-// Refuses towers that make no machine; `place` as of the file.
+// The lower end of the carriages, from what a nozzle at height `floor` asks for that is to get `print` out: as far as rods that long, on
+// towers of that radius, reach. `names` of the settings that ask for it, the one of `print` first.
+void put_lowest(Towers& towers, double floor, double print, double radius, double rod, const std::array<std::string, 2>& names);
+// The mechanism, its parameters, and what of them the settings do not say.
 void put_towers(const Towers& towers, Imported& out);
 
 }  // namespace pmreport::program

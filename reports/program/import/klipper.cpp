@@ -118,9 +118,9 @@ Imported import_klipper(const std::filesystem::path& file) {
   const double floor = config.length_or("printer", "minimum_z_position", 0, false),
                print = config.length_or("printer", "print_radius", t.radius[0], true);
   if (!(floor < height)) settings::refuse(first_end->place, "expected ends of the carriages above minimum_z_position");
-  const double rod = *std::min_element(std::begin(t.rod), std::end(t.rod)), away = std::min(t.radius[0] + print, 0.97 * rod);
-  t.lowest = std::stod(format_number(floor + std::sqrt(rod * rod - away * away) - 1, 4));
-  t.lowest_from = "what print_radius and minimum_z_position ask for, and 1 mm; the file has no lower end";
+  put_lowest(
+      t, floor, print, t.radius[0], *std::min_element(std::begin(t.rod), std::end(t.rod)),
+      {config.find("printer", "print_radius") != nullptr ? "print_radius" : "delta_radius, as the print_radius,", "minimum_z_position"});
   t.highest_from = "where the lowest of position_endstop stops its carriage";
   t.home = std::stod(format_number(floor + 0.3 * (height - floor), 3));
   out.told.emplace_back("Imported from Klipper's kinematics: delta; its towers a, b, c are 1, 2, 3.");

@@ -56,7 +56,9 @@ Imported linear_delta(Files& m) {
   const double rise = std::sqrt(rod * rod - radius * radius);
   const auto sound = [&](const std::optional<double>& x) { return x && std::abs(*x) * m.unit().metres < most_metres; };
   const auto home = home_of(m);
-  t.home = home && (*home)[2] != 0                         ? (*home)[2]
+  const bool given = home && (*home)[2] != 0;
+  if (given) out.home = place_of_home(m);
+  t.home = given                                           ? (*home)[2]
            : sound(stroke.lowest) && sound(stroke.highest) ? roughly((*stroke.lowest + *stroke.highest) / 2 - rise, guessed)
                                                            : roughly(0.4 * rod, guessed);
   t.lowest = sound(stroke.lowest) ? *stroke.lowest : roughly(t.home, guessed);

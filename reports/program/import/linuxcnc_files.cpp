@@ -191,4 +191,9 @@ std::optional<std::array<double, 6>> home_of(Files& m) {
   return out;
 }
 
+settings::Place place_of_home(Files& m) {
+  const Setting* s = m.ini("TRAJ", "HOME");
+  return s != nullptr ? s->place : settings::Place{};
+}
+
 }  // namespace pmreport::program::linuxcnc

@@ -75,6 +75,7 @@ void put_speeds(Files& m, int joints, const char* actuator, Imported& out);
 
 // [TRAJ]HOME: x y z a b c, as far as it goes; nothing where it is not there, or all zeros, which stands for nothing.
 std::optional<std::array<double, 6>> home_of(Files& m);
+settings::Place place_of_home(Files& m);  // of its line, where there is one
 
 // Of files whose KINS it is.
 Imported hexapod(Files& m);  // genhexkins

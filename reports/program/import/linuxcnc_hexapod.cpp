@@ -97,7 +97,7 @@ std::string points_in_toml(const std::array<Vector3d, 6>& points, const std::str
 Imported hexapod(Files& m) {
   Imported out;
   out.mechanism = "gough";
-  const std::string& unit = m.unit().name;
+  const std::string& unit = out.unit = m.unit().name;
   const Hexapod h = points_of(m);
   const Stroke stroke = strokes_of(m, 6);
 
@@ -106,6 +106,7 @@ Imported hexapod(Files& m) {
   Eigen::Matrix3d r = Eigen::Matrix3d::Identity();
   const auto given = home_of(m);
   if (given) {
+    out.home = place_of_home(m);
     p = {(*given)[0], (*given)[1], (*given)[2]};
     const double a = (*given)[3] * m.degrees() * deg, b = (*given)[4] * m.degrees() * deg, c = (*given)[5] * m.degrees() * deg;
     r = (Eigen::AngleAxisd(c, Vector3d::UnitZ()) * Eigen::AngleAxisd(b, Vector3d::UnitY()) * Eigen::AngleAxisd(a, Vector3d::UnitX()))
@@ -121,6 +122,8 @@ Imported hexapod(Files& m) {
                     both ? "in the middle of their limits" : "somewhat longer than the base is wide"));
   }
   const std::array<double, 6> lengths = lengths_at(h, p, r);
+  if (!(*std::ranges::min_element(lengths) > 0))
+    settings::refuse(given ? out.home : m.kins_place(), "expected a home where every strut has a length, seen one without");
   const double length = mean(lengths), scale = length / 0.95;  // of the mechanism's own machine
 
   out.told.insert(out.told.begin(), "Imported from LinuxCNC's genhexkins; its struts 0 to 5 are legs 1 to 6, in the same axes.");
@@ -157,8 +160,6 @@ Imported hexapod(Files& m) {
                    high ? stroke.from : "a guess");
   if (stroke.lowest && !low) out.told.push_back(fmt::format("MIN_LIMIT {} stops no strut.", format_number(*stroke.lowest, 6)));
   if (stroke.highest && !high) out.told.push_back(fmt::format("MAX_LIMIT {} stops no strut.", format_number(*stroke.highest, 6)));
-  if ((low && shortest < *stroke.lowest) || (high && longest > *stroke.highest))
-    out.told.emplace_back("Home lies outside of the limits that the files give the struts.");
   for (const auto& [name, share] : {std::pair{"cylinder_length", 0.76}, std::pair{"rod_length", 0.7}, std::pair{"cylinder_radius", 0.03},
                                     std::pair{"rod_radius", 0.02}, std::pair{"platform_thickness", 0.03}})
     q += fmt::format("{} = {}\n", name, quoted(roughly(share * scale, guessed), unit));

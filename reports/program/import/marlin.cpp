@@ -281,10 +281,8 @@ Imported import_marlin(const std::vector<std::filesystem::path>& files) {
                                               format_number(t.radius[i], 6), format_number(t.rod[i], 6)));
     t.highest = std::min(t.highest, height + ends[i] + std::sqrt(t.rod[i] * t.rod[i] - t.radius[i] * t.radius[i]));
   }
-  const double reach = print != nullptr ? config.number(*print, "PRINTABLE_RADIUS in mm", true) : 0.8 * radius,
-               away = std::min(radius + reach, 0.97 * length);
-  t.lowest = std::stod(format_number(std::sqrt(length * length - away * away) - 1, 4));
-  t.lowest_from = "what PRINTABLE_RADIUS asks for on the bed, and 1 mm; the file has no lower end";
+  put_lowest(t, 0, print != nullptr ? config.number(*print, "PRINTABLE_RADIUS in mm", true) : 0.8 * radius, radius, length,
+             {print != nullptr ? "PRINTABLE_RADIUS" : "0.8 DELTA_RADIUS, as the PRINTABLE_RADIUS,", "the height of the bed"});
   t.highest_from = "where DELTA_HEIGHT and DELTA_ENDSTOP_ADJ stop the carriages";
   t.home = std::stod(format_number(0.3 * height, 3));
   out.told.emplace_back("Imported from Marlin's DELTA; its towers A, B, C are 1, 2, 3.");

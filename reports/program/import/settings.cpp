@@ -10,7 +10,6 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <ranges>
 
 namespace pmreport::program::settings {
 
@@ -44,10 +43,10 @@ Setting setting_in(const Line& line, const std::string& section, const char* sep
   return {section, std::string(trim(text.substr(0, at))), std::string(trim(text.substr(at + 1))), line.place};
 }
 
-template <class Range>
-const Setting* found(Range&& all, std::string_view section, std::string_view key) {
-  const auto at = std::ranges::find_if(all, [&](const Setting& s) { return s.section == section && s.key == key; });
-  return at == all.end() ? nullptr : &*at;
+template <class Iterator>
+const Setting* found(Iterator first, Iterator end, std::string_view section, std::string_view key) {
+  const auto at = std::find_if(first, end, [&](const Setting& s) { return s.section == section && s.key == key; });
+  return at == end ? nullptr : &*at;
 }
 
 }  // namespace
@@ -188,9 +187,11 @@ Settings read_klipper(const Lines& lines) {
   return out;
 }
 
-const Setting* first_of(const Settings& all, std::string_view section, std::string_view key) { return found(all, section, key); }
+const Setting* first_of(const Settings& all, std::string_view section, std::string_view key) {
+  return found(all.begin(), all.end(), section, key);
+}
 const Setting* last_of(const Settings& all, std::string_view section, std::string_view key) {
-  return found(std::views::reverse(all), section, key);
+  return found(all.rbegin(), all.rend(), section, key);
 }
 
 }  // namespace pmreport::program::settings

@@ -58,6 +58,16 @@ void tell_rest(const settings::Settings& all, const std::set<int>& taken, std::v
   }
 }
 
+void put_lowest(Towers& t, double floor, double print, double radius, double rod, const std::array<std::string, 2>& names) {
+  constexpr double flattest = 0.97;  // of a rod's length in plan: one that lies flatter bears nothing
+  const double farthest = std::max(0.0, flattest * rod - radius), away = radius + std::min(print, farthest);
+  t.lowest = std::stod(format_number(floor + std::sqrt(rod * rod - away * away) - 1, 4));
+  const std::string end = "and 1 mm; the file has no lower end";
+  t.lowest_from = print > farthest ? fmt::format("what a radius of {} mm, as far as the rods reach, and {} ask for, {}; {} {} mm was cut",
+                                                 format_number(farthest, 4), names[1], end, names[0], format_number(print, 6))
+                                   : fmt::format("what {} and {} ask for, {}", names[0], names[1], end);
+}
+
 void put_towers(const Towers& t, Imported& out) {
   const double reach = *std::max_element(std::begin(t.radius), std::end(t.radius)),
                rod = *std::min_element(std::begin(t.rod), std::end(t.rod));
@@ -65,6 +75,7 @@ void put_towers(const Towers& t, Imported& out) {
   const double r = roughly(0.17 * reach, 1), spacing = roughly(0.15 * rod, 1);
   const std::string& unit = t.unit;
   out.mechanism = "linear-delta";
+  out.unit = unit;
   out.told.push_back(fmt::format("The firmware knows the distance in plan from ball to ball alone; of it r = {} {} is put on the platform.",
                                  format_number(r, digits), unit));
   out.told.emplace_back("Heights count as the firmware counts them: the platform's balls are taken at the height of the nozzle.");

@@ -30,6 +30,10 @@ constexpr const char* mark_many = "PMREPORT_WORKER_OF_MANY";  // the process tha
 constexpr char between = '\x1e';                              // two libraries
 constexpr std::chrono::seconds grace{5};                      // between the end of the parent and the end by force
 
+// Of a worker: its parent, and the pipe that closes when that ends.
+pid_t parent_of_worker = -1;
+int life_of_parent = -1;
+
 void tell_loading(const std::filesystem::path& file, bool begins) {
   if (!begins) name_plugin(file.c_str());
   say(begins ? Note::loading : Note::loaded, file.c_str());
@@ -98,13 +102,19 @@ bool begin_as_worker() {
   host::watch_loading(tell_loading);
   document::watch_left_behind(tell_left_behind);
   if (const char* left_out = std::getenv(mark_left_out)) leave_out(left_out);
+  parent_of_worker = std::atoi(value);
+  life_of_parent = static_cast<int>(life);
+  return true;
+}
+
+void watch_parent() {
+  if (life_of_parent < 0) return;
   try {
-    std::thread(end_with_parent, static_cast<int>(life)).detach();
+    std::thread(end_with_parent, life_of_parent).detach();
   } catch (const std::system_error&) {  // no thread is to be had: then it ends at once, and leaves what it has begun
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != std::atoi(value)) _exit(128 + SIGTERM);
+    if (getppid() != parent_of_worker) _exit(128 + SIGTERM);
   }
-  return true;
 }
 
 void worker_done(int status) {

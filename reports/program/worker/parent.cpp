@@ -1,6 +1,8 @@
 #include <reports/program/terminal.hpp>
+#include <reports/program/worker/environment.hpp>
 #include <reports/program/worker/in_worker.hpp>
 #include <reports/program/worker/notes.hpp>
+#include <reports/program/worker/sandbox.hpp>
 #include <reports/program/worker/worker.hpp>
 
 #include <core/text/text.hpp>
@@ -61,15 +63,6 @@ class SignalsWait {
  private:
   sigset_t before_;
 };
-
-// What must not matter to a report does not reach its worker: switches of the libraries that draw, of which some change a picture and
-// some hang.
-bool matters(std::string_view variable) {
-  for (const std::string_view prefix : {"PMREPORT_WORKER", "PANGO", "CAIRO_", "PIXMAN_", "FC_DEBUG", "G_", "MESA_", "GALLIUM_", "LP_",
-                                        "LIBGL_", "DRAW_", "ST_DEBUG", "OSMESA_"})
-    if (variable.starts_with(prefix)) return false;
-  return true;
-}
 
 struct Pipe {
   Pipe() {
@@ -212,7 +205,7 @@ int tell_end(const End& end, double timeout) {
 
 }  // namespace
 
-std::optional<int> run_in_worker(char** argv, double timeout) {
+std::optional<int> run_in_worker(char** argv, double timeout, const std::vector<std::filesystem::path>* only_in) {
   end_with_many();
   std::vector<std::string> left_out;
   while (true) {
@@ -226,7 +219,8 @@ std::optional<int> run_in_worker(char** argv, double timeout) {
     const End end = attend(pid, notes.out, timeout);
     if (end.heard.done < 0)
       for (auto path = end.heard.left_behind.rbegin(); path != end.heard.left_behind.rend(); ++path)
-        document::clear_left_behind(static_cast<document::Left>(path->first), path->second);
+        if (only_in == nullptr || within(*only_in, path->second))
+          document::clear_left_behind(static_cast<document::Left>(path->first), path->second);
     const bool by_itself = WIFSIGNALED(end.status) && WTERMSIG(end.status) != SIGKILL;
     const bool crashed = (end.heard.signal > 0 || by_itself) && !end.killed && handed_on == 0;
     if (end.heard.done >= 0 || !crashed || end.heard.loading.empty() || left_out.size() >= most_libraries_left_out)

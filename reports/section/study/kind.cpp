@@ -62,7 +62,8 @@ const SectionKind& study_kind() {
                                  .complete = complete_study},
                                 [](const Context& c, const scenario::Section& s) {
                                   return study_section(c.analysis, options_of<StudyOptions>(s), c.number, c.progress);
-                                }};
+                                },
+                                true};
   return kind;
 }
 

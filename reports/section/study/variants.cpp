@@ -5,10 +5,10 @@
 #include <reports/section/study/extremes.hpp>
 #include <reports/section/study/words.hpp>
 
+#include <core/analysis/design/judge_all.hpp>
 #include <core/text/text.hpp>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -96,9 +96,13 @@ document::Table table_of(const Analysis& a, const StudyOptions& o, const std::ve
 }  // namespace
 
 void add_variants(const Analysis& a, const StudyOptions& o, const Progress& progress, Result& out) {
-  std::vector<Judged> judged(o.variants.size());
   progress.say(fmt::format("study: {}", plural(static_cast<int>(o.variants.size()), "machine")));
-  tbb::parallel_for(std::size_t{0}, judged.size(), [&](std::size_t k) { judged[k] = judge_variant(a, o, o.variants[k], progress); });
+  chunks::Meaning meaning;  // the other scenarios, which this one only names
+  for (const StudiedVariant& v : o.variants)
+    if (v.other) meaning << v.other->scenario.text;
+  const std::vector<Judged> judged = analysis::judge_all(
+      {progress.part + " machines", meaning.value()}, o.variants.size(),
+      [&](std::size_t k) { return judge_variant(a, o, o.variants[k], progress); }, progress);
   std::vector<const Judged*> all;
   for (const Judged& j : judged) all.push_back(&j);
 

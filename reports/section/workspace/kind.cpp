@@ -3,6 +3,8 @@
 
 #include <core/scenario/section/keys.hpp>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace pmreport::section {
@@ -67,6 +69,19 @@ std::vector<scenario::Quantity> quantities(const scenario::Options* plain) {
   return out;
 }
 
+// A grid counts at every point, and keeps three bits of every pose where its sheets are told; surface and slices are drawn of its points.
+MemoryNeed::Part memory_of(const O& o, bool first) {
+  constexpr double of_point = 8, of_pose = 3.0 / 8, of_any = 280e6;  // programs of its limits, boxes that are looked at again, surfaces
+  const bool grid = std::ranges::find(o.request.methods, ScanMethod::grid) != o.request.methods.end();
+  double points = 1, orientations = std::max<double>(1, static_cast<double>(o.request.orientation_list.size()));
+  for (const analysis::ScanRange& range : o.request.scan) points *= static_cast<double>(std::max<std::size_t>(1, range.count));
+  for (const analysis::ScanRange& range : o.request.orientations) orientations *= static_cast<double>(range.count);
+  const double poses = o.request.one_sheet ? points * orientations : 0;
+  return {(grid ? points * of_point + poses * of_pose : 0) + (first ? of_any : 0),
+          grid ? fmt::format("a workspace of {:.4g} points, {:.4g} orientations each", points, orientations) : "a workspace",
+          grid ? "fewer values on its axes" : ""};
+}
+
 }  // namespace
 
 const SectionKind& workspace_kind() {
@@ -79,7 +94,9 @@ const SectionKind& workspace_kind() {
        .quantities = quantities,
        .make_options = scenario::plain_options<O>,
        .complete = complete_workspace},
-      [](const Context& c, const scenario::Section& s) { return workspace_section(c, options_of<O>(s)); }};
+      [](const Context& c, const scenario::Section& s) { return workspace_section(c, options_of<O>(s)); },
+      true,
+      [](const scenario::Loaded&, const scenario::Section& s, bool first) { return memory_of(options_of<O>(s), first); }};
   return kind;
 }
 
