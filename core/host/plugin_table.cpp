@@ -7,6 +7,7 @@
 #include <core/host/plugin_table.hpp>
 #include <core/host/refusal.hpp>
 #include <cstddef>
+#include <cstdint>
 #include <set>
 #include <string_view>
 
@@ -87,6 +88,10 @@ void require_parameters(const std::string& where, const pm_list& list) {
   if (list.count == 0) return;
   require_present(where, "a list of parameters", list.items != nullptr);
   require_size(where, "a stride of the parameters", list.stride, parameter_size);
+  // As every array of such structs has it. Others would cut a member in two, or put it where a processor does not read it.
+  if (list.stride % alignof(pm_parameter) != 0 || reinterpret_cast<std::uintptr_t>(list.items) % alignof(pm_parameter) != 0)
+    refuse(where, fmt::format("parameters at addresses that divide by {}", alignof(pm_parameter)),
+           fmt::format("a stride of {} bytes from {}", list.stride, list.items), repair);
   std::set<std::string_view> names;
   for (std::size_t i = 0; i < list.count; ++i) {
     const auto& p = *reinterpret_cast<const pm_parameter*>(static_cast<const char*>(list.items) + i * list.stride);

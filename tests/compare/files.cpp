@@ -6,6 +6,8 @@
 #include <reports/compare/spreadsheet.hpp>
 #include <reports/document/write.hpp>
 #include <tests/compare/reports.hpp>
+#include <tests/fuzz/corpus.hpp>
+#include <tests/fuzz/results.hpp>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -200,4 +202,8 @@ TEST_CASE("a file is replaced as a whole, and a failure leaves nothing beside it
   for (const auto& entry : fs::directory_iterator(here.path())) names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   CHECK(names == std::vector<std::string>{"baseline.json", "folder", "link.json"});
+}
+
+TEST_CASE("no results of the fuzzer's corpus break a promise") {
+  CHECK(fuzz::broken_in(SOURCE "/tests/fuzz/corpus/results", fuzz::broken_by_results) == "");
 }

@@ -1,4 +1,6 @@
 // Lists of steps that are programs, and lists that are not.
+#include <tests/fuzz/corpus.hpp>
+#include <tests/fuzz/recorded_program.hpp>
 #include <tests/recorded_program/recording.hpp>
 
 #include <catch2/catch.hpp>
@@ -108,4 +110,8 @@ TEST_CASE("a step depends on the inputs that it is made of, masks included") {
   CHECK(of_output(1) == 0b010);
   CHECK(of_output(2) == 0b100);
   CHECK(of_output(3) == 0);
+}
+
+TEST_CASE("no recording of the fuzzer's corpus breaks a promise") {
+  CHECK(fuzz::broken_in(SOURCE "/tests/fuzz/corpus/recorded_program", fuzz::broken_by_recorded_program) == "");
 }

@@ -1,31 +1,18 @@
-#include <algorithm>
+// Inputs that fuzzers found, or began with.
 #include <catch2/catch.hpp>
-#include <tests/fuzz/promises.hpp>
-#include <tests/scenario/trial.hpp>
-
-namespace {
-
-std::vector<std::filesystem::path> corpus(const char* name) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(SOURCE) / "tests/fuzz/corpus" / name))
-    files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  REQUIRE(files.size() > 5);
-  return files;
-}
-
-}  // namespace
+#include <tests/fuzz/corpus.hpp>
+#include <tests/fuzz/expression.hpp>
+#include <tests/fuzz/motion_file.hpp>
+#include <tests/fuzz/scenario.hpp>
 
 TEST_CASE("no scenario of the fuzzer's corpus breaks a promise") {
-  for (const auto& file : corpus("scenario")) {
-    CAPTURE(file);
-    CHECK(fuzz::broken_by_scenario(trial::read(file)).empty());
-  }
+  CHECK(fuzz::broken_in(SOURCE "/tests/fuzz/corpus/scenario", fuzz::broken_by_scenario) == "");
 }
 
 TEST_CASE("no expression of the fuzzer's corpus breaks a promise") {
-  for (const auto& file : corpus("expression")) {
-    CAPTURE(file);
-    CHECK(fuzz::broken_by_expression(trial::read(file)).empty());
-  }
+  CHECK(fuzz::broken_in(SOURCE "/tests/fuzz/corpus/expression", fuzz::broken_by_expression) == "");
+}
+
+TEST_CASE("no file of a motion of the fuzzer's corpus breaks a promise") {
+  CHECK(fuzz::broken_in(SOURCE "/tests/fuzz/corpus/motion_file", fuzz::broken_by_motion_file) == "");
 }

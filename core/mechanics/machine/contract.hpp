@@ -7,6 +7,7 @@
 #include <array>
 #include <cfenv>
 #include <core/mechanics/machine/mechanism_error.hpp>
+#include <core/text/text.hpp>
 #include <cstddef>
 #include <cstring>
 #include <exception>
@@ -28,17 +29,25 @@ T item(const pm_list& list, std::size_t i) {
   std::memcpy(&out, static_cast<const char*>(list.items) + i * list.stride, std::min(list.stride, sizeof(T)));
   return out;
 }
-template <class T, class F>
-auto map(const pm_list& list, F&& f) {
+// What a list must be before its items are looked at. Whoever cuts a struct between its members keeps to its alignment, as arrays do; a
+// stride that does not may leave half a pointer.
+template <class T>
+void demand_list(const pm_list& list) {
   constexpr std::size_t most = 100'000;  // items: no mechanism has a hundredth of them
   demand(list.count <= most, "declares a list of more items than any mechanism has");
   demand(list.count == 0 || (list.items != nullptr && list.stride > 0), "declares a list that has items but no place for them");
+  demand(list.stride % alignof(T) == 0, "declares a list whose stride cuts its items in two");
+}
+template <class T, class F>
+auto map(const pm_list& list, F&& f) {
+  demand_list<T>(list);
   std::vector<decltype(f(T{}))> out;
   for (std::size_t i = 0; i < list.count; ++i) out.push_back(f(item<T>(list, i)));
   return out;
 }
 
-inline std::string text_or_empty(const char* s) { return s != nullptr ? s : ""; }
+// What a plugin says goes into files and onto terminals, whose lines and controls are not its business.
+inline std::string text_or_empty(const char* s) { return s != nullptr ? one_line(s) : ""; }
 
 // How numbers are rounded, put back at its end.
 class Rounding {
@@ -65,7 +74,7 @@ pm_status undisturbed(F&& f) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {
-    throw MechanismError(PM_FAILED, std::string("a function of the plugin threw an exception: ") + e.what());
+    throw MechanismError(PM_FAILED, std::string("a function of the plugin threw an exception: ") + one_line(e.what()));
   } catch (...) {
     throw MechanismError(PM_FAILED, "a function of the plugin threw what is no std::exception");
   }
@@ -80,7 +89,7 @@ pm_status call(std::string& sentence, F&& f) {
   pm_text text{buffer.data(), buffer.size()};
   const pm_status status = undisturbed([&] { return f(&text); });
   buffer.back() = '\0';
-  if (status != PM_OK) sentence = buffer.data();
+  if (status != PM_OK) sentence = one_line(buffer.data());
   return status;
 }
 

@@ -27,7 +27,7 @@ MechanismInfo describe(const pm_mechanism& table) {
                     {},
                     false,
                     text_or_empty(p.unless)};
-    for (std::size_t k = 0; k < p.choice_count; ++k) i.choices.push_back(p.choices[k]);
+    for (std::size_t k = 0; k < p.choice_count; ++k) i.choices.push_back(text_or_empty(p.choices[k]));
     i.working_mode = p.kind == PM_CHOICE && p.working_mode != 0;
     return i;
   });
@@ -60,6 +60,8 @@ Topology read_topology(const pm_mechanism& table, const pm_instance* instance) {
     return Coordinate{text_or_empty(x.name), text_or_empty(x.title), text_or_empty(x.unit), x.home, {x.min, x.max}};
   });
   demand(inertias.count == c.bodies.count, fmt::format("has {} bodies, but inertias of {}", c.bodies.count, inertias.count));
+  demand_list<pm_body>(c.bodies);
+  demand_list<pm_inertia>(inertias);
   t.bodies.clear();
   for (std::size_t i = 0; i < c.bodies.count; ++i) {
     const auto b = item<pm_body>(c.bodies, i);

@@ -307,6 +307,38 @@ TEST_CASE("items of a newer plugin may be longer than ours") {
   CHECK(machine.topology().actuators[0].stroke.max == 0.4);
 }
 
+TEST_CASE("a list that has no place for its items, more of them than any mechanism, or cuts them in two is not looked at") {
+  static pm_list spoiled_bodies, spoiled_joints;
+  pm_kinematics kinematics = *slider.kinematics;
+  kinematics.topology = [](const pm_instance* instance, pm_topology* out, pm_text* text) -> pm_status {
+    const pm_status status = slider.kinematics->topology(instance, out, text);
+    if (spoiled_bodies.count > 0) out->bodies = spoiled_bodies;
+    if (spoiled_joints.count > 0) out->joints = spoiled_joints;
+    return status;
+  };
+  pm_dynamics dynamics = *slider.dynamics;
+  dynamics.inertias = [](const pm_instance* instance, pm_list* out, pm_text* text) -> pm_status {
+    const pm_status status = slider.dynamics->inertias(instance, out, text);
+    if (spoiled_bodies.count > 0) out->count = spoiled_bodies.count;
+    return status;
+  };
+  pm_mechanism spoiled = slider;
+  spoiled.kinematics = &kinematics;
+  spoiled.dynamics = &dynamics;
+  const auto told = [&](const pm_list& bodies, const pm_list& joints) {
+    spoiled_bodies = bodies, spoiled_joints = joints;
+    return refusal_of(spoiled, {{0.4}, {0.1}}).sentence;
+  };
+  static const char place[64]{};
+  CHECK(told({}, {}).empty());
+  CHECK(told({nullptr, 2, sizeof(pm_body)}, {}) == "declares a list that has items but no place for them");
+  CHECK(told({place, std::size_t{1} << 40, sizeof(pm_body)}, {}) == "declares a list of more items than any mechanism has");
+  CHECK(told({place, 2, 12}, {}) == "declares a list whose stride cuts its items in two");
+  CHECK(told({}, {nullptr, 1, sizeof(pm_joint)}) == "declares a list that has items but no place for them");
+  CHECK(told({}, {place, 1, 0}) == "declares a list that has items but no place for them");
+  CHECK(told({}, {place, 1, 20}) == "declares a list whose stride cuts its items in two");
+}
+
 TEST_CASE("a pose tells whether it is out of reach or not finite") {
   const Machine machine(test::slider_crank(), {{0}, {0.4}, {0.35}});
   const double far[] = {-1.5};

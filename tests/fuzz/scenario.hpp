@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cmath>
-#include <core/scenario/expression/expression.hpp>
 #include <reports/section/comparison/comparison.hpp>
 #include <reports/section/singularity/singularity.hpp>
 #include <string>
@@ -57,22 +56,6 @@ inline std::string broken_by_scenario(const std::string& text) {
       if (d.message.empty() || d.line < 0 || d.column < 0) return "a reason without words or place";
       for (const char c : to_string(d))
         if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') return "a control character in a sentence to the user";
-    }
-  }
-  return {};
-}
-
-inline std::string broken_by_expression(const std::string& text) {
-  using namespace pmreport::scenario;
-  for (const Time time : {Time::allowed, Time::forbidden}) {
-    try {
-      const Expression e = Expression::parse(text, time);
-      (void)e.at(0);
-      (void)e.at(0.37);
-      (void)pmreport::name_of(e.dimension());
-    } catch (const ExpressionError& e) {
-      if (e.offset > text.size()) return "a mistake beyond the end of the text";
-      if (std::string(e.what()).empty()) return "a refusal without a reason";
     }
   }
   return {};
