@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cctype>
 #include <core/scenario/measured_part.hpp>
 #include <core/text/text.hpp>
 
@@ -37,6 +38,17 @@ void read_equality(const Bounds& b, const Dimension& dimension, Check& check, co
     reader.diagnostics().add(b.within->value.place, fmt::format("expected a distance above 0, seen {}", in_quotes(b.within->value.text)));
 }
 
+// The unit at the end of a bound: "rad/s" of "2*pi rad/s". Empty where there is none of the whole, as of "10 m / 4 s".
+std::string unit_at_end(std::string_view bound, const Dimension& dimension) {
+  const auto of_word = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  for (std::size_t i = 0; i < bound.size(); ++i) {
+    if (i > 0 && of_word(bound[i - 1])) continue;
+    const auto unit = parse_unit(bound.substr(i));
+    if (unit && !unit->symbol.empty() && unit->dimension == dimension) return unit->symbol;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<Check> read_checks(const Entry* entry, const Measurable& measurable, const Reader& reader) {
@@ -49,11 +61,14 @@ std::vector<Check> read_checks(const Entry* entry, const Measurable& measurable,
     judge_together(b, content->place, reader.diagnostics());
     auto measured = that != nullptr ? read_measured(that->value, measurable, reader) : std::nullopt;
     if (!measured || !judged(*measured)) continue;
-    Check check{std::move(*measured), {}, {}, {}, 0, content->place.line};
+    Check check{std::move(*measured), {}, {}, {}, 0, {}, content->place.line};
     const Dimension dimension = parse_unit(check.unit).value_or(Unit{}).dimension;
     if (b.below != nullptr) check.below = reader.quantity(b.below->value, dimension);
     if (b.above != nullptr) check.above = reader.quantity(b.above->value, dimension);
     if (b.equals != nullptr) read_equality(b, dimension, check, reader);
+    for (const Entry* bound : {b.below, b.above, b.equals})
+      if (bound != nullptr && check.written_in.empty() && bound->value.kind == Value::Kind::text)
+        check.written_in = unit_at_end(bound->value.text, dimension);
     if (check.below && check.above && *check.above >= *check.below)
       reader.diagnostics().add(b.above->place, "nothing can be above this and below that: above must be less than below");
     out.push_back(std::move(check));

@@ -24,6 +24,7 @@ struct Check : Measured {
   std::optional<double> below, above;  // SI; passes when below and above hold strictly
   std::optional<double> equals;        // SI; passes when the number is `within` of it or nearer
   double within = 0;                   // SI; 0: exactly, of counts
+  std::string written_in = {};         // the unit of its first bound, as its author has it: "rad/s"; empty: none, or not one alone
   int line = 0;
 };
 

@@ -50,7 +50,7 @@ void write_figures(Page& page, const std::vector<figure::Figure>& figures) {
       html.element("figure", {{"id", "figure-" + figures[i].id}, {"class", "plot column"}}, [&] {
         document::write_scroll_box(page, figures[i].caption, [&] {
           html.element("div", {{"role", "img"}, {"aria-label", figures[i].caption}},
-                       [&] { html.markup(document::inline_svg(figure::to_svg(figures[i]))); });
+                       [&] { html.markup(document::inline_svg(figure::to_svg(figures[i]), page.glyphs)); });
         });
         html.element("figcaption", [&] {
           html.element("strong", fmt::format("Figure {}.", i + 1));

@@ -1,3 +1,4 @@
+#include <reports/document/few_colors.hpp>
 #include <reports/document/narrowed.hpp>
 
 #include <algorithm>
@@ -18,10 +19,6 @@ cairo_status_t read(void* closure, unsigned char* data, unsigned int length) {
   if (r.png.size() - r.at < length) return CAIRO_STATUS_READ_ERROR;
   std::memcpy(data, r.png.data() + r.at, length);
   r.at += length;
-  return CAIRO_STATUS_SUCCESS;
-}
-cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
-  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
   return CAIRO_STATUS_SUCCESS;
 }
 
@@ -57,10 +54,9 @@ Surface decoded(const std::string& png, int width) {
 }
 
 std::string narrowed(const std::string& png, int width) {
-  const Surface source = read_png(png);
-  if (!source || cairo_image_surface_get_width(source.get()) <= width) return png;
-  std::string out;
-  return cairo_surface_write_to_png_stream(on_white(source.get(), width).get(), append, &out) == CAIRO_STATUS_SUCCESS ? out : png;
+  const Surface picture = decoded(png, width);
+  std::string out = png_of_few_colors(picture.get());
+  return out.empty() ? png : out;
 }
 
 }  // namespace pmreport::document

@@ -16,7 +16,7 @@ using Surface = std::unique_ptr<cairo_surface_t, DestroySurface>;
 // The picture of a PNG at most `width` pixels wide, opaque on white; null when the bytes are no PNG.
 Surface decoded(const std::string& png, int width);
 
-// A PNG at most `width` pixels wide, on white; itself where it is no wider, or no PNG.
+// For a page: a PNG at most `width` pixels wide, on white, of at most 256 colours; itself where it is no PNG.
 std::string narrowed(const std::string& png, int width);
 
 }  // namespace pmreport::document

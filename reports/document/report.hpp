@@ -116,10 +116,11 @@ struct Check {
   double value = 0, bound = 0;  // SI
   std::string unit;
   bool passed = false;
-  std::string message;   // a sentence when failed, "t = 1.32 s: ..."; otherwise what else there is to say, or nothing
-  int line = 0;          // in the scenario
-  bool proved = false;   // decided for every instant of the motion, not at its samples alone
-  Bracket bracket = {};  // of the value over every instant, SI; not finite: none is known
+  std::string message;       // a sentence when failed, "t = 1.32 s: ..."; otherwise what else there is to say, or nothing
+  int line = 0;              // in the scenario
+  bool proved = false;       // decided for every instant of the motion, not at its samples alone
+  Bracket bracket = {};      // of the value over every instant, SI; not finite: none is known
+  std::string told_in = {};  // the unit of its words, where its author chose it: "rad/s"
 };
 
 struct Value {  // a scalar result for results.json

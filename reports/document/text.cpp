@@ -6,9 +6,11 @@ namespace pmreport::document {
 
 namespace {
 
-// Controls, and what Unicode promises never to be a character: U+FDD0 to U+FDEF and the last two of every plane.
+// Controls, those that turn the direction of what is read (words would seem to say what they do not), and what Unicode promises never to be
+// a character: U+FDD0 to U+FDEF and the last two of every plane.
 bool is_no_character(gunichar c) {
   if (c == '\t' || c == '\n' || c == '\r') return false;
+  if ((c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069)) return true;
   return c < 0x20 || (c >= 0x7f && c < 0xa0) || (c >= 0xfdd0 && c <= 0xfdef) || (c & 0xfffe) == 0xfffe;
 }
 

@@ -6,9 +6,8 @@
 
 namespace pmreport::document {
 
-// Valid UTF-8 without control characters (tab and line ends stay) and without what is never a character, such as U+FDD0: what XML 1.0, HTML
-// and Cairo all allow. A byte that is no UTF-8 becomes
-// U+FFFD.
+// Valid UTF-8 without control characters (tab and line ends stay), those included that turn the direction of reading, and without what is
+// never a character, such as U+FDD0: what XML 1.0, HTML and Cairo all allow. A byte that is no UTF-8 becomes U+FFFD.
 std::string clean(std::string_view raw);
 
 // Cleaned, with & < > " ' as entities: fit for the content and the quoted attributes of HTML and XML.

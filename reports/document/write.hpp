@@ -3,14 +3,18 @@
 
 #include <reports/document/report.hpp>
 
+#include <functional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace pmreport::document {
 
 std::string to_html(const Report& r);  // one file, no network, no script needed; readable at phone width
 std::string to_pdf(const Report& r);   // A4: title, contents, sections, vector figures, page numbers, outline, links
 std::string to_csv(const Data& d);     // fields as in RFC 4180, lines end in LF; '.' decimal, shortest digits that read back the same
+// The same in pieces of about a megabyte, whole lines each: of a long motion it would be as large as all else together.
+void to_csv(const Data& d, const std::function<void(std::string_view piece)>& put);
 std::string to_json(const Report& r);  // results.json
 std::string to_junit(const Report& r);
 std::string to_markdown(const Report& r);  // summary.md: the first page for a job's summary

@@ -124,6 +124,31 @@ Stroke decimate(const Stroke& points, double column_width) {
   return kept;
 }
 
+void thin_out(std::vector<double>& x, std::vector<double>& y) {
+  const std::size_t n = std::min(x.size(), y.size());
+  if (n < few_samples) return;
+  const auto [low, high] = std::minmax_element(x.begin(), x.end());
+  const double width = (*high - *low) / (few_samples / 4);  // four samples of each column are kept
+  if (!(width > 0 && std::isfinite(width))) return;
+  Stroke kept, run;
+  const auto end_run = [&] {
+    for (const Point& p : decimate(run, width)) kept.push_back(p);
+    run.clear();
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    if (std::isfinite(y[i])) {
+      run.push_back({x[i], y[i]});
+    } else if (i == 0 || std::isfinite(y[i - 1])) {
+      end_run();
+      kept.push_back({x[i], y[i]});
+    }
+  }
+  end_run();
+  x.assign(kept.size(), 0), y.assign(kept.size(), 0);
+  for (std::size_t i = 0; i < kept.size(); ++i) x[i] = kept[i].x, y[i] = kept[i].y;
+  x.shrink_to_fit(), y.shrink_to_fit();
+}
+
 Stroke simplify(const Stroke& points, double allowed) {
   if (points.size() < 3) return points;
   std::vector<bool> keep(points.size(), false);

@@ -1,6 +1,7 @@
 // From samples to strokes of the pen: gaps lifted, spikes cut at the frame, points that nobody could see left out.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <reports/figure/geometry.hpp>
@@ -36,6 +37,11 @@ Trace trace_of_points(const std::vector<double>& x, const std::vector<double>& y
 
 // Of each run of points in one column, its first, lowest, highest and last, in their order: the ink stays the same. [pt]
 Stroke decimate(const Stroke& points, double column);
+
+// Of a curve of very many samples those that a drawing of it may need: decimated in columns narrower than those of any page, one missing
+// sample for each gap. x has no NaN. Of fewer than `few_samples` all are kept.
+constexpr std::size_t few_samples = 16384;
+void thin_out(std::vector<double>& x, std::vector<double>& y);
 
 // Ramer, Douglas and Peucker: the fewest of these points whose polyline passes every other one within `tolerance` [pt].
 Stroke simplify(const Stroke& points, double tolerance);

@@ -12,29 +12,39 @@ struct Drop {
   void operator()(cairo_t* p) const { cairo_destroy(p); }
 };
 
-void draw_leader(cairo_t* cr, const LabelSpot& spot, const Color& color, double size) {
+void set(cairo_t* cr, const Color& c) { cairo_set_source_rgba(cr, c.r, c.g, c.b, c.a); }
+
+void write_leader(cairo_t* cr, const LabelSpot& spot, const Color& color, const Lettering& l) {
   cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
   for (const bool rim : {true, false}) {
-    cairo_move_to(cr, spot.from.x(), spot.from.y());
-    cairo_line_to(cr, spot.to.x(), spot.to.y());
-    cairo_set_line_width(cr, (rim ? 0.17 : 0.07) * size);
-    rim ? cairo_set_source_rgba(cr, 1, 1, 1, 0.6) : cairo_set_source_rgba(cr, color.r, color.g, color.b, 1);
+    cairo_move_to(cr, l.scale * spot.from.x(), l.scale * spot.from.y());
+    cairo_line_to(cr, l.scale * spot.to.x(), l.scale * spot.to.y());
+    cairo_set_line_width(cr, (rim ? 0.17 : 0.065) * l.size);
+    set(cr, rim ? Color{1, 1, 1, 0.6f} : color);
     cairo_stroke(cr);
   }
 }
 
-void draw_text(cairo_t* cr, const LabelSpot& spot, const Color& color, double size) {
-  const figure::Text text(cr, label_markup(spot.box.text, size), {size}, 0, true);
+// Everything is scaled here and not by Cairo: it keeps words with the text at the place where they are asked for.
+void write_text(cairo_t* cr, const LabelSpot& spot, const Color& color, const Lettering& l) {
+  const figure::Text text(cr, label_markup(spot.box.text, l.size), {l.size}, 0, true);
   PangoRectangle ink;
   pango_layout_get_extents(text.layout(), &ink, nullptr);
-  cairo_move_to(cr, spot.box.x + halo * size - ink.x / double(PANGO_SCALE), spot.box.y + halo * size - ink.y / double(PANGO_SCALE));
-  pango_cairo_layout_path(cr, text.layout());
-  cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
-  cairo_set_line_width(cr, 2 * halo * size);
-  cairo_set_source_rgba(cr, 1, 1, 1, 0.85);
-  cairo_stroke_preserve(cr);
-  cairo_set_source_rgba(cr, color.r, color.g, color.b, 1);
-  cairo_fill(cr);
+  const double x = l.scale * spot.box.x + halo * l.size - ink.x / double(PANGO_SCALE);
+  const double y = l.scale * spot.box.y + halo * l.size - ink.y / double(PANGO_SCALE);
+  set(cr, {1, 1, 1, 0.85f});
+  if (l.boxed) {
+    cairo_rectangle(cr, l.scale * spot.box.x, l.scale * spot.box.y, l.scale * spot.box.width, l.scale * spot.box.height);
+    cairo_fill(cr);
+  } else {
+    cairo_move_to(cr, x, y);
+    pango_cairo_layout_path(cr, text.layout());
+    cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_line_width(cr, 2 * halo * l.size);
+    cairo_stroke(cr);
+  }
+  set(cr, color);
+  text.show(x, y);
 }
 
 // Cairo's pixels are premultiplied, in words of alpha, red, green, blue from the highest byte down.
@@ -60,15 +70,20 @@ void lay_over(Image& image, const cairo_surface_t* surface) {
 
 }  // namespace
 
+void write_labels(cairo_t* cr, const std::vector<LabelSpot>& spots, const std::vector<Color>& colors, const Lettering& lettering) {
+  for (std::size_t i = 0; i < spots.size(); ++i)
+    if (spots[i].leader) write_leader(cr, spots[i], colors[i], lettering);
+  for (std::size_t i = 0; i < spots.size(); ++i) write_text(cr, spots[i], colors[i], lettering);
+}
+
 void draw_labels(Image& image, const Scene& scene, const Camera& camera, const Quality& quality) {
   if (scene.labels.empty()) return;
   const std::unique_ptr<cairo_surface_t, Drop> surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height));
   const std::unique_ptr<cairo_t, Drop> cr(cairo_create(surface.get()));
-  const double size = label_size(quality.width, quality.printed);
   const std::vector<LabelSpot> spots = find_spots(scene, camera, quality);
-  for (const LabelSpot& s : spots)
-    if (s.leader) draw_leader(cr.get(), s, scene.labels[s.index].color, size);
-  for (const LabelSpot& s : spots) draw_text(cr.get(), s, scene.labels[s.index].color, size);
+  std::vector<Color> colors;
+  for (const LabelSpot& s : spots) colors.push_back(scene.labels[s.index].color);
+  write_labels(cr.get(), spots, colors, {label_size(quality.width, quality.printed)});
   cairo_surface_flush(surface.get());
   lay_over(image, surface.get());
 }

@@ -1,5 +1,7 @@
-// Labels written over a finished picture.
+// Where labels stand, and how they are written over a finished picture.
 #pragma once
+
+#include <cairo.h>
 
 #include <reports/scene/scene.hpp>
 #include <string>
@@ -18,6 +20,15 @@ struct LabelSpot {
   Eigen::Vector2d from{0, 0}, to{0, 0};  // [px]
 };
 std::vector<LabelSpot> find_spots(const Scene& scene, const Camera& camera, const Quality& quality);
+
+// How labels are written: in letters of `size`, with the picture's pixels `scale` units wide. `boxed`: on a white box in place of a rim,
+// which interrupts the lines of a drawing.
+struct Lettering {
+  double size, scale = 1;
+  bool boxed = false;
+};
+// `colors`: of each spot. Words are kept as words where a page can hold them.
+void write_labels(cairo_t* cr, const std::vector<LabelSpot>& spots, const std::vector<Color>& colors, const Lettering& lettering);
 
 void draw_labels(Image& image, const Scene& scene, const Camera& camera, const Quality& quality);
 

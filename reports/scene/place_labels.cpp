@@ -17,8 +17,9 @@ using Eigen::Vector2d;
 // All lengths below are in units of the font size.
 constexpr double gaps[] = {0.20, 0.55, 1.0, 1.6, 2.4, 3.4, 4.8};  // between a point and its label
 constexpr int directions = 24;
-constexpr double spacing = 0.18;      // between two labels, and between a label and a joint
-constexpr double needs_leader = 1.3;  // a label farther than this gets a line
+constexpr double spacing = 0.18;       // between two labels, and between a label and a joint
+constexpr double between_words = 0.8;  // beside one another, of labels of several words, which would be read as one
+constexpr double needs_leader = 1.3;   // a label farther than this gets a line
 constexpr int sweeps = 12;
 constexpr double forbidden = 1000;  // cost of a collision
 
@@ -32,6 +33,7 @@ struct Anchor {
   Vector2d at, outward;
   double width, height;  // of the label
   double clear;          // radius of the joint that is labelled
+  bool optional, words;  // of several words
 };
 
 struct Candidate {
@@ -43,8 +45,8 @@ struct Candidate {
 Box box_around(const Vector2d& middle, double width, double height) {
   return {middle.x() - width / 2, middle.y() - height / 2, middle.x() + width / 2, middle.y() + height / 2};
 }
-bool overlap(const Box& a, const Box& b, double apart) {
-  return a.left < b.right + apart && b.left < a.right + apart && a.top < b.bottom + apart && b.top < a.bottom + apart;
+bool overlap(const Box& a, const Box& b, double beside, double above) {
+  return a.left < b.right + beside && b.left < a.right + beside && a.top < b.bottom + above && b.top < a.bottom + above;
 }
 Vector2d nearest(const Box& b, const Vector2d& p) { return {std::clamp(p.x(), b.left, b.right), std::clamp(p.y(), b.top, b.bottom)}; }
 bool overlap(const Box& b, const Disc& d, double apart) { return (nearest(b, d.centre) - d.centre).norm() < d.radius + apart; }
@@ -60,16 +62,18 @@ class Placer {
   }
 
   // Each label in turn takes the best of its candidates, given where the others stand, until none wants to move. One that still collides
-  // goes to the nearest free place of the picture; where there is none, it is left out.
+  // goes to the nearest free place of the picture; where there is none, it is left out. Then those that are optional, where room is left.
   std::vector<LabelSpot> place() {
     chosen_.assign(anchors_.size(), std::nullopt);
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       bool moved = false;
-      for (std::size_t i = 0; i < anchors_.size(); ++i) moved = settle(i) || moved;
+      for (std::size_t i = 0; i < anchors_.size(); ++i) moved = (!anchors_[i].optional && settle(i)) || moved;
       if (!moved) break;
     }
     for (std::size_t i = 0; i < anchors_.size(); ++i)
       if (chosen_[i] && cost(i, *chosen_[i]) >= forbidden) chosen_[i] = nearest_free(i);
+    for (std::size_t i = 0; i < anchors_.size(); ++i)
+      if (anchors_[i].optional && settle(i) && !is_close(i)) chosen_[i] = std::nullopt;
     std::vector<LabelSpot> spots;
     for (std::size_t i = 0; i < anchors_.size(); ++i)
       if (chosen_[i]) spots.push_back(spot(i, *chosen_[i]));
@@ -77,6 +81,11 @@ class Placer {
   }
 
  private:
+  // A label that needs no line to tell what it is of, nor stands closer to what another one is of.
+  bool is_close(std::size_t i) const {
+    return chosen_[i]->gap <= needs_leader && cost(i, *chosen_[i]) < forbidden && mistaken(i, *chosen_[i]) == 0;
+  }
+
   void measure(const View& view, int width, int height) {
     cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1);
     cairo_t* cr = cairo_create(surface);
@@ -92,13 +101,22 @@ class Placer {
       double clear = label.clear * view.scale();
       for (const Disc& d : occupied_.joints())
         if ((d.centre - at).norm() < 0.5) clear = std::max(clear, d.radius);
-      anchors_.push_back(
-          {i, at, {0, 0}, ink.width / double(PANGO_SCALE) + 2 * halo * size_, ink.height / double(PANGO_SCALE) + 2 * halo * size_, clear});
-      middle += at;
+      const bool words = label.text.find(' ') != std::string::npos;
+      anchors_.push_back({i,
+                          at,
+                          {0, 0},
+                          ink.width / double(PANGO_SCALE) + 2 * halo * size_,
+                          ink.height / double(PANGO_SCALE) + 2 * halo * size_,
+                          clear,
+                          label.optional,
+                          words});
     }
     cairo_destroy(cr);
     cairo_surface_destroy(surface);
-    if (!anchors_.empty()) middle /= static_cast<double>(anchors_.size());
+    int counted = 0;
+    for (const Anchor& a : anchors_)
+      if (!a.optional) middle += a.at, ++counted;
+    if (counted > 0) middle /= counted;
     for (Anchor& a : anchors_) {
       const Vector2d away = a.at - middle;
       a.outward = away.norm() > 1 ? Vector2d(away.normalized()) : Vector2d(0, -1);
@@ -119,6 +137,17 @@ class Placer {
     return all;
   }
 
+  // How many other labels' points stand closer: a reader would take it for theirs. What is optional disturbs no other.
+  int mistaken(std::size_t i, const Candidate& c) const {
+    const double mine = (nearest(c.box, anchors_[i].at) - anchors_[i].at).norm() - anchors_[i].clear;
+    int count = 0;
+    for (std::size_t k = 0; k < anchors_.size(); ++k)
+      if (k != i && (anchors_[i].optional || !anchors_[k].optional) &&
+          (nearest(c.box, anchors_[k].at) - anchors_[k].at).norm() - anchors_[k].clear < mine)
+        ++count;
+    return count;
+  }
+
   double cost(std::size_t i, const Candidate& c) const {
     const Anchor& a = anchors_[i];
     double sum = 0;
@@ -128,11 +157,10 @@ class Placer {
       if (overlap(c.box, d, spacing * size_ * 0.5)) sum += forbidden;
     for (std::size_t k = 0; k < anchors_.size(); ++k) {
       if (k == i) continue;
-      if (chosen_[k] && overlap(c.box, chosen_[k]->box, spacing * size_)) sum += forbidden;
-      const double mine = (nearest(c.box, a.at) - a.at).norm() - a.clear;
-      const double other = (nearest(c.box, anchors_[k].at) - anchors_[k].at).norm() - anchors_[k].clear;
-      if (other < mine) sum += 1.2;  // a reader would take it for the other's
+      const double beside = a.words && anchors_[k].words ? between_words : spacing;
+      if (chosen_[k] && overlap(c.box, chosen_[k]->box, beside * size_, spacing * size_)) sum += forbidden;
     }
+    sum += 1.2 * mistaken(i, c);
     sum += 7 * occupied_.share(c.box.left, c.box.top, a.width, a.height);
     sum += 0.7 * c.gap + 0.5 * (1 - c.direction.dot(a.outward));
     if (c.gap > needs_leader) {

@@ -38,7 +38,8 @@ struct Label {
   Eigen::Vector3d at;
   std::string text;  // "A1": letters then digits are set as a subscript
   Color color;
-  double clear = 0;  // [m] radius of what stands there and is not to be covered
+  double clear = 0;       // [m] radius of what stands there and is not to be covered
+  bool optional = false;  // left out where there is no room close by that no other label wants
 };
 
 struct Bounds {

@@ -1,4 +1,5 @@
 // The gates of a report.
+#include <reports/section/check_words.hpp>
 #include <reports/section/checks.hpp>
 #include <reports/section/common/words/brackets.hpp>
 #include <reports/section/common/words/demands.hpp>
@@ -10,22 +11,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <optional>
 
 namespace pmreport::section {
 
 namespace {
-
-// A bound as it was written, to the last digit that says something.
-std::string written(double bound, const std::string& unit) {
-  constexpr int usual = 6, most = 12;
-  const double shown = bound * display_unit(unit, std::abs(bound)).per_si;
-  int digits = usual;
-  while (digits < most && std::abs(std::strtod(format_number(shown, digits).c_str(), nullptr) - shown) > 1e-12 * std::abs(shown)) ++digits;
-  return show(bound, unit, digits);
-}
 
 // The column without which a check has no value, and why it has none.
 std::string why_no_value(const Analysis& a, const scenario::Check& c) {
@@ -66,7 +57,7 @@ std::optional<bool> decided_by(const std::optional<Bounds>& b, double bound, boo
 Verdict judge(const Analysis& a, const Proved& p, const scenario::Check& c, const std::vector<document::Value>& values, double bound,
               bool below) {
   const Number found = measure(a, c, values, below);
-  const std::string limit = written(bound, c.unit);
+  const std::string limit = written(bound, c);
   const bool passed = std::isfinite(found.value) && (below ? found.value < bound : found.value > bound);
   const auto proved = analysis::measure_proved(p.proof, c, below);
   return {found,
@@ -84,7 +75,7 @@ Verdict judge_equality(const Analysis& a, const Proved& p, const scenario::Check
   const Number high = measure(a, c, values, true), low = measure(a, c, values, false);
   const Number found = std::abs(low.value - wanted) > std::abs(high.value - wanted) ? low : high;
   const bool exact = c.within == 0;
-  const std::string near = exact ? "" : written(c.within, c.unit);
+  const std::string near = exact ? "" : written(c.within, c);
   const auto most = analysis::measure_proved(p.proof, c, true), least = analysis::measure_proved(p.proof, c, false);
   std::optional<bool> decided;
   if (most && least) {
@@ -96,15 +87,15 @@ Verdict judge_equality(const Analysis& a, const Proved& p, const scenario::Check
   return {found,
           std::abs(found.value - wanted) <= c.within,
           wanted,
-          "= " + written(wanted, c.unit) + (exact ? "" : " ± " + near),
+          "= " + written(wanted, c) + (exact ? "" : " ± " + near),
           exact ? "not " : "not within " + near + " of ",
           by_most ? most : least,
           decided};
 }
 
 // What the bracket says of a number, where the samples do not say it alone.
-std::string bracket_words(const Verdict& v, const std::string& unit) {
-  const std::string told = "at every instant: " + bracket(*v.proved, unit);
+std::string bracket_words(const Verdict& v, const scenario::Check& c) {
+  const std::string told = "at every instant: " + known_words(*v.proved, c);
   return v.decided ? told : told + "; the bound lies within this bracket, so the samples decide";
 }
 
@@ -125,7 +116,7 @@ std::string open_words(const scenario::Check& c, const std::vector<Verdict>& ver
   const std::optional<Bounds> known = known_of(c, values);
   const auto within = [&](const Verdict& v) { return known->low < v.bound && v.bound < known->high; };
   if (!known || c.equals || std::ranges::none_of(verdicts, within)) return "";
-  return "it lies within " + show_bracket(*known, c.unit) + ", and the bound too, so their middle decides";
+  return "it lies within " + bounds_words(*known, c) + ", and the bound too, so their middle decides";
 }
 
 document::Check evaluate(const Analysis& a, const Proved& p, const scenario::Check& c, const std::vector<document::Value>& values) {
@@ -136,6 +127,7 @@ document::Check evaluate(const Analysis& a, const Proved& p, const scenario::Che
   document::Check out;
   out.line = c.line;
   out.unit = c.unit;
+  out.told_in = c.written_in;
   out.passed = true;
   out.proved = std::ranges::all_of(verdicts, [](const Verdict& v) { return v.decided.has_value(); });
   std::vector<std::string> brackets;  // each once
@@ -143,22 +135,22 @@ document::Check evaluate(const Analysis& a, const Proved& p, const scenario::Che
     out.limit += (out.limit.empty() ? "" : ", ") + v.demand;
     out.passed = out.passed && v.holds();
     const bool complete = std::isfinite(v.found.value), by_proof_alone = v.passed && !v.holds();
-    const Apart told = show_apart(v.found.value, v.bound, c.unit, 6);
+    const Apart told = measured_words(v.found.value, v.bound, c);
     if (out.measured.empty() || !v.holds()) {
       out.value = v.found.value;
       out.bound = v.bound;
-      out.measured = !complete ? "no value" : by_proof_alone ? bracket(*v.proved, c.unit) : told.value;
+      out.measured = !complete ? "no value" : by_proof_alone ? known_words(*v.proved, c) : told.value;
       if (v.proved) out.bracket = {v.proved->low, v.proved->high};
     }
     if (v.proved)
-      if (std::string words = bracket_words(v, c.unit); std::ranges::find(brackets, words) == brackets.end())
+      if (std::string words = bracket_words(v, c); std::ranges::find(brackets, words) == brackets.end())
         brackets.push_back(std::move(words));
     if (v.holds()) continue;
     if (!complete)
       out.message = c.that + " has no value: " + why_no_value(a, c);
     else if (by_proof_alone)
       out.message = fmt::format("{}: {} at every instant, which is {}{}; the samples alone keep it, at {}", c.that,
-                                bracket(*v.proved, c.unit), v.broken, told.beside, told.value);
+                                known_words(*v.proved, c), v.broken, told.beside, told.value);
     else
       out.message = fmt::format("{}{}: {} is {}, which is {}{}", v.found.sample >= 0 ? "t = " + show_time(a, v.found.sample) + ": " : "",
                                 c.that, c.quantity.empty() ? v.found.column : "it", told.value, v.broken, told.beside);

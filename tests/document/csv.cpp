@@ -1,4 +1,5 @@
 // The data files: every number as it was, every gap a gap, no heading a formula.
+#include <algorithm>
 #include <bit>
 #include <catch2/catch.hpp>
 #include <charconv>
@@ -75,4 +76,22 @@ TEST_CASE("a heading with commas and quotation marks is quoted as RFC 4180 says"
 TEST_CASE("data whose columns are not equally long are a mistake of ours, not a file") {
   CHECK_THROWS_AS(to_csv({"d", {"a", "b"}, {{1, 2}, {1}}}), std::logic_error);
   CHECK_THROWS_AS(to_csv({"d", {"a"}, {{1}, {1}}}), std::logic_error);
+}
+
+TEST_CASE("long data are handed over in pieces of whole lines that join to the whole") {
+  Data d{"d", {"a", "b"}, {{}, {}}};
+  for (int k = 0; k < 200'000; ++k)
+    for (std::vector<double>& column : d.columns) column.push_back(k / 3.0);
+  std::string whole;
+  std::size_t pieces = 0;
+  to_csv(d, [&](std::string_view piece) {
+    CHECK(piece.ends_with('\n'));
+    CHECK(piece.size() < std::size_t{2} << 20);
+    whole += piece;
+    ++pieces;
+  });
+  CHECK(pieces > 4);
+  CHECK(whole.starts_with("a,b\n0,0\n0.3333333333333333,0.3333333333333333\n"));
+  CHECK(whole.ends_with("66666.33333333333,66666.33333333333\n"));
+  CHECK(std::count(whole.begin(), whole.end(), '\n') == 200'001);
 }

@@ -123,3 +123,38 @@ TEST_CASE("a curve may run back in x") {
   CHECK(top == Approx(5).margin(0.03));
   CHECK(bottom == Approx(45).margin(0.03));
 }
+
+TEST_CASE("a curve of very many samples is thinned out to what looks the same, and its gaps and extremes stay") {
+  constexpr std::size_t n = 200'000;
+  std::mt19937 random(7);
+  std::vector<double> x(n), y(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    x[i] = 10 * static_cast<double>(i) / (n - 1);
+    y[i] = 0.8 * std::sin(5 * x[i]) + 1e-4 * std::generate_canonical<double, 53>(random);
+  }
+  for (std::size_t i = 70'000; i < 80'000; ++i) y[i] = gap;
+  y[123'456] = 0.95;
+  std::vector<double> few_x = x, few_y = y;
+  thin_out(few_x, few_y);
+  REQUIRE(few_x.size() == few_y.size());
+  CHECK(few_x.size() < few_samples + 8);
+  CHECK(few_x.front() == x.front());
+  CHECK(few_x.back() == x.back());
+  CHECK(std::is_sorted(few_x.begin(), few_x.end()));
+  const std::vector<Stroke> whole = trace(x, y, frame).strokes, thin = trace(few_x, few_y, frame).strokes;
+  REQUIRE(thin.size() == 2);
+  CHECK(extremes(thin) == extremes(whole));
+  for (std::size_t k = 0; k < 2; ++k) {
+    CHECK(thin[k].front().x == whole[k].front().x);
+    CHECK(thin[k].back().x == whole[k].back().x);
+  }
+  // But for the spike the pen keeps to the sine, and to the rounding that it bears.
+  const double spike = to_page(frame, x[123'456], 0).x;
+  for (const Stroke& stroke : thin)
+    for (const Point p : stroke)
+      if (std::abs(p.x - spike) > 1) CHECK(p.y == Approx(to_page(frame, 0, 0.8 * std::sin(p.x / 2)).y).margin(0.01));
+  std::vector<double> short_x(x.begin(), x.begin() + 5000), short_y(y.begin(), y.begin() + 5000);
+  const std::vector<double> before = short_y;
+  thin_out(short_x, short_y);
+  CHECK(short_y == before);
+}

@@ -13,7 +13,7 @@ TEST_CASE("the option --check validates and writes nothing") {
   const Workshop here;
   const Result sound = here.report(small, {"--check"});
   CHECK(sound.status == 0);
-  CHECK(sound.out == "scenario.toml: valid, 21 samples, 4 sections\n");
+  CHECK_THAT(sound.out, StartsWith("scenario.toml: valid, 21 samples, 4 sections, at most about "));
   CHECK(here.report(with(small, {{"samples", "sampels"}}), {"--check"}).status == 2);
   CHECK(contents(here.path()).size() == 1);
 }

@@ -198,6 +198,67 @@ TEST_CASE("a HOME of zeros is told as that, and not as none") {
   }
 }
 
+TEST_CASE("a HOME where the machine is none is told by its line") {
+  const Bench bench;
+  // Pairs of joints in thirds of a turn: at a quarter of a turn about Z such a hexapod is singular.
+  Joints even;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double third = (-150 + 120 * double(i / 2)) * deg, side = i % 2 == 0 ? -1 : 1;
+    even.base[i] = {220 * std::cos(third + 12 * deg * side), 220 * std::sin(third + 12 * deg * side), 0};
+    even.platform[i] = {120 * std::cos(third + 44 * deg * side), 120 * std::sin(third + 44 * deg * side), 0};
+  }
+  // A platform like the base turns it into a machine that holds its platform nowhere.
+  Joints similar = even;
+  for (std::size_t i = 0; i < 6; ++i) similar.platform[i] = 0.5 * even.base[i];
+  struct Case {
+    const Joints& joints;
+    const char *home, *told;
+  };
+  const Joints own = crooked();
+  for (const Case& c :
+       {Case{own, "0 0 900", "bench.ini:11:1: error: expected HOME with rho1 from 250 mm to 700 mm, its stroke; seen 890.129 mm"},
+        Case{own, "0 0 100", "bench.ini:11:1: error: expected HOME with rho1 from 250 mm to 700 mm, its stroke; seen 155.979 mm"},
+        Case{even, "0 0 420 0 0 90", "bench.ini:11:1: error: expected HOME where the actuators hold the platform, seen it on a singular"},
+        Case{similar, "0 0 420", "bench.ini:4:1: error: what the settings say is no machine: its actuators do not hold"},
+        Case{similar, "", "bench.ini:4:1: error: what the settings say is no machine: its actuators do not hold"}}) {
+    bench.here.write("bench.ini", ini_of("mm", c.home));
+    bench.here.write("bench.hal", hal_of(c.joints));
+    const Result made = bench.import({"bench.ini", "bench.hal"});
+    CAPTURE(c.home, made.err);
+    CHECK(made.status == 2);
+    CHECK(made.out.empty());
+    CHECK_THAT(made.err, StartsWith(c.told));
+  }
+  bench.here.write("delta.hal", "loadrt lineardeltakins\nsetp lineardeltakins.R 130\nsetp lineardeltakins.L 280\n");
+  bench.here.write("delta.ini",
+                   "[KINS]\nKINEMATICS = lineardeltakins\n[TRAJ]\nHOME = 0 0 1000\n[JOINT_0]\nMIN_LIMIT = 50\nMAX_LIMIT = 400\n");
+  const Result made = bench.import({"delta.ini", "delta.hal"});
+  CHECK(made.status == 2);
+  CHECK_THAT(made.err, StartsWith("delta.ini:4:1: error: expected HOME with s1 from 50 mm to 400 mm, its stroke; seen 1247.99 mm"));
+}
+
+TEST_CASE("a print radius that the rods do not reach is told to be cut where it counts") {
+  const Bench bench;
+  const std::string printer =
+      "[printer]\nkinematics: delta\ndelta_radius: 150\n[stepper_a]\nposition_endstop: 297\narm_length: 333\n[printer]\n";
+  const auto lowest = [&](const std::string& more) {
+    const Result made = bench.import("printer.cfg", printer + more);
+    CAPTURE(made.err);
+    CHECK(made.status == 0);
+    const std::size_t at = made.out.find("\nstroke_min = ");
+    REQUIRE(at != std::string::npos);
+    return made.out.substr(at + 1, made.out.find('\n', at + 1) - at - 1);
+  };
+  CHECK(lowest("print_radius: 120\n") ==
+        "stroke_min = \"193.9 mm\"  # what print_radius and minimum_z_position ask for, and 1 mm; the file has no lower end");
+  // 97 % of 333 mm less 150 mm; sqrt(333² - 323.01²) - 1.
+  CHECK(
+      lowest("print_radius: 200\n") ==
+      "stroke_min = \"79.95 mm\"  # what a radius of 173 mm, as far as the rods reach, and minimum_z_position ask for, and 1 mm; the file "
+      "has no lower end; print_radius 200 mm was cut");
+  CHECK_THAT(lowest(""), Contains("# what delta_radius, as the print_radius, and minimum_z_position ask for"));
+}
+
 TEST_CASE("joints that a HAL leaves alone are LinuxCNC's own, and told to be") {
   const Bench bench;
   const Result none = bench.import("none.hal", "loadrt genhexkins\n");

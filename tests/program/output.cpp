@@ -5,8 +5,10 @@
 #include <sys/mount.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
+#include <thread>
 
 using namespace program_test;
 using Catch::Contains;
@@ -53,7 +55,7 @@ void check_interrupted(int signal, int status, const std::string& while_it_says,
   CHECK(contents(here.report_folder()) == before);
   for (const auto& entry : std::filesystem::directory_iterator(here.path())) {
     const std::string name = entry.path().filename().string();
-    CHECK((name == "scenario.toml" || name == "scenario-report"));
+    CHECK((name == "scenario.toml" || name == "scenario-report" || name == "scenario-report.chunks"));  // the last is for --resume
   }
 }
 
@@ -66,6 +68,55 @@ TEST_CASE("an interrupted analysis leaves the earlier report and nothing beside 
 
 TEST_CASE("an interrupted writing leaves the earlier report and nothing beside it") {
   check_interrupted(SIGINT, 130, "writing", with(small, {{"samples = 21", "samples = 5001"}}));
+  check_interrupted(SIGTERM, 143, "writing", with(small, {{"samples = 21", "samples = 5001"}}));
+}
+
+TEST_CASE("interrupted pictures leave the earlier report and nothing beside it") {
+  const std::string pictures = with(small, {{"kind = \"acceleration\"", "kind = \"snapshots\"\ntimes = [\"0 s\", \"1 s\", \"2 s\"]"}});
+  check_interrupted(SIGINT, 130, "picture 1 of 3", pictures);
+  check_interrupted(SIGTERM, 143, "picture 1 of 3", pictures);
+}
+
+TEST_CASE("an interruption while a scenario is read ends the run before anything is written") {
+  const Workshop here;
+  here.write("scenario.toml", long_work);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    Process process({PROGRAM, "scenario.toml"}, {.folder = here.path()});
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));  // the worker begins; reading takes far longer
+    process.send(signal);
+    const int status = process.finish().status;
+    CHECK((status == 128 + signal || status == -signal));  // the latter where the signal came before the program's first line
+    CHECK(contents(here.path()).size() == 1);
+  }
+}
+
+TEST_CASE("of two runs on one folder the second says so, and does not disturb the first") {
+  const Workshop here;
+  here.write("scenario.toml", long_work);
+  Process first({PROGRAM, "scenario.toml"}, {.folder = here.path(), .terminal = true});
+  REQUIRE(first.says("samples of"));
+  here.write("other.toml", small);
+  const Result second = pmreport({"other.toml", "--out", "scenario-report"}, {.folder = here.path()});
+  CHECK(second.status == 4);
+  CHECK_THAT(second.err, Contains("another run is writing it now"));
+  first.send(SIGTERM);
+  CHECK(first.finish().status == 143);
+  CHECK(here.report(small).status == 0);
+}
+
+TEST_CASE("a clock that goes back changes nothing") {
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which would have to be the first library
+  const Workshop here;
+  const std::string pictures = with(small, {{"kind = \"acceleration\"", "kind = \"snapshots\"\nsize = [160, 120]"}});
+  REQUIRE(here.report(pictures).status == 0);
+  const auto before = contents(here.report_folder());
+  const Result r =
+      here.report(pictures, {"--timeout", "60"}, {.environment = {{"LD_PRELOAD", CLOCK_BACK}, {"CLOCK_COUNT", (here / "looks").string()}}});
+  INFO(r.err);
+  CHECK(r.status == 0);
+  CHECK(contents(here.report_folder()) == before);
+  CHECK(contents(here.path()).count("looks") == 1);  // the shim was there
+#endif
 }
 
 TEST_CASE("an interrupted check ends at once") {
@@ -165,6 +216,8 @@ TEST_CASE("a standard output that takes nothing is an output error, a standard e
   CHECK(here.report(small, {"--quiet"}, {.no_out = true}).status == 0);
   CHECK(here.report(small, {}, {.no_err = true}).status == 0);
   CHECK(here.report("", {}, {.no_err = true}).status == 2);
+  here.write("scenario.toml", small);
+  CHECK(run({"sh", "-c", "exec \"$0\" scenario.toml --quiet <&- >&- 2>&-", PROGRAM}, {.folder = here.path()}).status == 0);
   CHECK(pmreport({"describe", "4sps-spr"}, {.out = "/dev/full"}).status == 4);
   CHECK(pmreport({"describe", "4sps-spr"}, {.no_out = true}).status == 4);
 }

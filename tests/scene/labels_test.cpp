@@ -125,6 +125,52 @@ TEST_CASE("labels that no picture could hold are left out rather than piled up")
   CHECK(place_labels(scene, {{0, 0, 0.35}, 0, 0, 1.5}, page).empty());
 }
 
+TEST_CASE("an optional label stands close to its point, moves no other, and is left out where there is no room") {
+  int placed = 0, left_out = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    CAPTURE(seed);
+    Scene scene = crowd(seed);
+    const Camera camera{{0, 0, 0.35}, 0.1 * seed, 0.005 * seed, 1.5};
+    const auto without = find_spots(scene, camera, page);
+    for (int k = 0; k < 8; ++k)
+      scene.labels.push_back({{0.08 * k - 0.3, 0, 0.35 + 0.02 * k}, std::to_string(k) + ".5 s", {1, 0, 0}, 0.004, true});
+    const auto with = find_spots(scene, camera, page);
+    REQUIRE(with.size() >= without.size());
+    for (std::size_t i = 0; i < with.size(); ++i) {
+      const PlacedLabel& l = with[i].box;
+      CAPTURE(l.text);
+      if (i < without.size()) {
+        CHECK((l.x == without[i].box.x && l.y == without[i].box.y));
+        continue;
+      }
+      CHECK_FALSE(with[i].leader);
+      for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(overlap(l, with[k].box));
+    }
+    placed += static_cast<int>(with.size() - without.size());
+    left_out += static_cast<int>(scene.labels.size() - with.size());
+  }
+  CHECK(placed > 100);
+  CHECK(left_out > 20);
+}
+
+TEST_CASE("times beside one another are not read as one") {
+  const double letters = label_size(800, 140);
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    Random random{std::mt19937(seed)};
+    Scene scene;
+    for (int k = 0; k < 8; ++k)
+      scene.labels.push_back({{random(-0.08, 0.08), 0, random(-0.05, 0.05)}, std::to_string(k) + ".5 s", {0, 0, 0}, 0.004});
+    const auto boxes = place_labels(scene, {}, page);
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k) {
+        const PlacedLabel &l = boxes[i], &m = boxes[k];
+        if (std::abs(l.y - m.y) > l.height) continue;
+        CAPTURE(seed, l.text, m.text);
+        CHECK(std::max(m.x - l.x - l.width, l.x - m.x - m.width) > 0.79 * letters);
+      }
+  }
+}
+
 TEST_CASE("digits after letters are set as a subscript, and markup in a name is only text") {
   CHECK(label_markup("A12", 20).find("A<span") == 0);
   CHECK(label_markup("A12", 20).find(">12</span>") != std::string::npos);

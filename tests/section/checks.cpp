@@ -47,6 +47,28 @@ TEST_CASE("a broken gate says where, what was measured and what was demanded") {
   CHECK(c.line > 0);
 }
 
+TEST_CASE("a gate is told in the unit of its author") {
+  const document::Check broken = check("max(x)", "below = \"1.5 cm\"");
+  CHECK(broken.name == "max(x) < 1.5 cm");
+  CHECK(broken.measured == "2 cm");
+  CHECK(broken.limit == "< 1.5 cm");
+  CHECK(broken.message == "t = 2 s: max(x): x is 2 cm, which is not below 1.5 cm");
+  CHECK(broken.value == Approx(0.02));
+  CHECK(broken.bound == Approx(0.015));
+  CHECK(broken.unit == "m");
+  // The slide q goes at 10 mm/s.
+  const auto of = [](const std::string& bound) {
+    return checks("[[section]]\nkind = \"velocity\"\n[[check]]\nthat = \"max(velocity_x)\"\n" + bound + "\n")[0];
+  };
+  CHECK(of("below = \"36 m/min\"").name == "max(velocity_x) < 36 m/min");
+  CHECK(of("below = \"36 m/min\"").measured == "0.6 m/min");
+  CHECK(of("equals = \"(5 + 5) * mm/s\"\nwithin = \"1 cm/s\"").name == "max(velocity_x) = 10 mm/s ± 10 mm/s");
+  CHECK(of("below = \"2 m / 4 s\"").name == "max(velocity_x) < 500 mm/s");  // of no unit alone
+  CHECK(check("max(abs(psi))", "below = \"1 rad\"").name == "max(abs(psi)) < 1 rad");
+  CHECK(check("max(abs(psi))", "below = \"1 rad\"").measured.ends_with(" rad"));
+  CHECK(check("max(abs(psi))", "below = \"57 deg\"").limit == "< 57°");
+}
+
 TEST_CASE("both bounds of a gate are judged") {
   CHECK(check("max(x)", "below = \"30 mm\"\nabove = \"10 mm\"").passed);
   CHECK_FALSE(check("max(x)", "below = \"30 mm\"\nabove = \"25 mm\"").passed);

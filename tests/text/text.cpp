@@ -20,3 +20,17 @@ TEST_CASE("what would steer a terminal or turn the direction of reading is not p
                   "c") == "a?b?c");
   CHECK(printable("μ = 3 °, ‖J‖ \xc2\xa0") == "μ = 3 °, ‖J‖ \xc2\xa0");
 }
+
+TEST_CASE("words of somebody else are one line of valid UTF-8") {
+  CHECK(one_line("arm 1") == "arm 1");
+  CHECK(one_line("μ ‖J‖ 机构 \U0001F600") == "μ ‖J‖ 机构 \U0001F600");
+  CHECK(one_line("a\nb\r\n\tc") == "a b   c");
+  CHECK(one_line("a\x1b[31m") == "a?[31m");
+  CHECK(one_line("") == "");
+  const std::string none = "\uFFFD";
+  for (const std::string wrong : {"\xff", "\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe0\x80\x80", "\xf0\x80\x80\x80"}) {
+    std::string expected = "a";
+    for (std::size_t i = 0; i < wrong.size(); ++i) expected += none;
+    CHECK(one_line("a" + wrong + "z") == expected + "z");
+  }
+}

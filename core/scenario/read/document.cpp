@@ -6,11 +6,42 @@
 #include <core/scenario/read/document.hpp>
 #include <core/scenario/read/nesting.hpp>
 #include <core/text/text.hpp>
+#include <optional>
+#include <string_view>
 
 namespace pmreport::scenario {
 namespace {
 
 Place place_of(const toml::source_region& region) { return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)}; }
+
+// Where a character stands that no reader sees and no file of a report can bear: XML and terminals have none of them. TOML lets them in by
+// an escape, "\u0000".
+struct Control {
+  unsigned code;
+  std::size_t before;  // characters
+};
+std::optional<Control> first_control(std::string_view text) {
+  std::size_t characters = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const bool line = byte == '\t' || byte == '\n' || byte == '\r';
+    if ((byte < 0x20 && !line) || byte == 0x7f) return Control{byte, characters};
+    // U+0080 to U+009F are two bytes in UTF-8.
+    if (byte == 0xc2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0)
+      return Control{static_cast<unsigned char>(text[i + 1]), characters};
+    if ((byte & 0xc0) != 0x80) ++characters;
+  }
+  return std::nullopt;
+}
+
+// Reported, where there is one; true then. `what`: "a text for \"title\"".
+bool refused(std::string_view text, Place place, const std::string& what, Diagnostics& diagnostics) {
+  const std::optional<Control> control = first_control(text);
+  if (control)
+    diagnostics.add(place, fmt::format("expected {} without control characters but tabs and line breaks, seen U+{:04X} as its character {}",
+                                       what, control->code, control->before + 1));
+  return control.has_value();
+}
 
 Value value_of(const toml::node& node, const std::string& path, Diagnostics& diagnostics) {
   Value out;
@@ -19,6 +50,7 @@ Value value_of(const toml::node& node, const std::string& path, Diagnostics& dia
     out.kind = Value::Kind::table;
     for (const auto& [key, value] : *table) {
       const std::string name(key.str());
+      if (refused(name, place_of(key.source()), "a key", diagnostics)) continue;
       out.entries.push_back({name, place_of(key.source()), value_of(value, path.empty() ? name : path + "." + name, diagnostics)});
     }
     // toml++ sorts keys by name
@@ -32,6 +64,7 @@ Value value_of(const toml::node& node, const std::string& path, Diagnostics& dia
   } else if (const auto* text = node.as_string()) {
     out.kind = Value::Kind::text;
     out.text = text->get();
+    if (refused(out.text, out.place, "a text for " + in_quotes(path), diagnostics)) out.kind = Value::Kind::refused;
   } else if (const auto* integer = node.as_integer()) {
     out.kind = Value::Kind::integer;
     out.number = static_cast<double>(integer->get());

@@ -11,7 +11,16 @@ namespace pmreport::scenario {
 struct Entry;
 
 struct Value {
-  enum class Kind { text, integer, number, boolean, date, array, table, refused };  // refused: nan or inf, told already
+  enum class Kind {
+    text,
+    integer,
+    number,
+    boolean,
+    date,
+    array,
+    table,
+    refused
+  };  // refused: told already, as nan, inf and texts with control characters are
   Kind kind = Kind::table;
   Place place;
   std::string text;   // of a text
@@ -27,8 +36,8 @@ struct Entry {
   Value value;
 };
 
-// Throws ScenarioError at the first syntax error, or where tables and lists are nested beyond all sense; nan and inf are added to
-// `diagnostics`.
+// Throws ScenarioError at the first syntax error, or where tables and lists are nested beyond all sense; nan, inf and
+// control characters in texts and keys are added to `diagnostics`.
 Value parse_document(std::string_view text, const std::string& file, Diagnostics& diagnostics);
 
 std::string name_of(const Value& value);  // "a text", "the number 400", "a table"

@@ -18,6 +18,8 @@ std::string likely_unit(const Dimension& d) {
   return example.substr(std::min(example.find(' '), example.size()));
 }
 
+constexpr std::size_t most_tables = 1000;  // of one name: a report of more sections, checks or waypoints has no reader
+
 bool is_number(const Value& v) { return v.kind == Value::Kind::integer || v.kind == Value::Kind::number; }
 
 }  // namespace
@@ -31,6 +33,11 @@ std::vector<const Value*> tables_of(const Entry* entry, const std::string& name,
     return out;
   }
   for (const Value& item : entry->value.items) {
+    if (out.size() == most_tables) {
+      reader.diagnostics().add(item.place,
+                               fmt::format("expected at most {} tables [[{}]], seen {}", most_tables, name, entry->value.items.size()));
+      return out;
+    }
     if (item.kind == Value::Kind::table)
       out.push_back(&item);
     else if (item.kind != Value::Kind::refused)

@@ -50,7 +50,7 @@ class Reader {
   Asked* asked_;
 };
 
-// The tables of an array of tables, [[name]]; a single table or anything else is reported.
+// The tables of an array of tables, [[name]], up to a thousand; more, a single table or anything else is reported.
 std::vector<const Value*> tables_of(const Entry* entry, const std::string& name, const Reader& reader);
 
 // The value of `entry` when it is a table, else reported and nullptr.

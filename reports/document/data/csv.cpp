@@ -30,6 +30,13 @@ void append(std::string& out, double number) {
 }  // namespace
 
 std::string to_csv(const Data& d) {
+  std::string out;
+  to_csv(d, [&](std::string_view piece) { out += piece; });
+  return out;
+}
+
+void to_csv(const Data& d, const std::function<void(std::string_view piece)>& put) {
+  constexpr std::size_t enough = 1 << 20;
   const std::size_t words = d.words.size(), columns = words + d.columns.size();
   const std::size_t rows = words > 0 ? d.words.front().size() : columns > 0 ? d.columns.front().size() : 0;
   if (d.headings.size() != columns) throw std::logic_error("data " + d.name + ": one heading a column");
@@ -52,8 +59,11 @@ std::string to_csv(const Data& d) {
     }
     if (out.size() == start) out += "\"\"";  // a lone empty cell would be an empty line, which readers skip
     out += '\n';
+    if (out.size() < enough) continue;
+    put(out);
+    out.clear();
   }
-  return out;
+  if (!out.empty()) put(out);
 }
 
 }  // namespace pmreport::document

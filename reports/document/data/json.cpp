@@ -5,6 +5,7 @@
 #include <reports/document/data/sha256.hpp>
 #include <reports/document/names.hpp>
 #include <reports/document/tally.hpp>
+#include <reports/document/text.hpp>
 #include <reports/document/write.hpp>
 
 namespace pmreport::document {
@@ -113,7 +114,8 @@ Json sections_of(const Report& r) {
       for (const Evidence& line : proof->lines) evidence.push_back(json_of(line));
     }
     const bool passed = tally_evidence(section).failed() == 0;
-    out.push_back({{"id", section.id}, {"kind", section.kind}, {"title", section.title}, {"passed", passed}, {"evidence", evidence}});
+    out.push_back(
+        {{"id", section.id}, {"kind", section.kind}, {"title", clean(section.title)}, {"passed", passed}, {"evidence", evidence}});
   }
   return out;
 }
@@ -167,7 +169,7 @@ Json export_list(const Report& r, const Names& names) {
   for (std::size_t i = 0; i < r.files.size(); ++i) {
     const File& file = r.files[i];
     out.push_back(
-        {{"name", "data/" + names.files[i]}, {"title", file.title}, {"bytes", file.bytes.size()}, {"sha256", sha256(file.bytes)}});
+        {{"name", "data/" + names.files[i]}, {"title", clean(file.title)}, {"bytes", file.bytes.size()}, {"sha256", sha256(file.bytes)}});
   }
   return out;
 }
@@ -177,7 +179,11 @@ Json export_list(const Report& r, const Names& names) {
 std::string to_json(const Report& r) {
   const Names names = names_of(r);
   const Provenance& from = r.provenance;
-  Json out{{"schema", results_schema}, {"schema_version", 2}, {"title", r.title}, {"author", r.author}, {"description", r.description}};
+  Json out{{"schema", results_schema},
+           {"schema_version", 2},
+           {"title", clean(r.title)},
+           {"author", clean(r.author)},
+           {"description", clean(r.description)}};
   out["mechanism"] = {{"name", from.mechanism}, {"title", r.mechanism_title}, {"source", r.source}};
   out["provenance"] = {{"program", from.program},
                        {"version", from.version},

@@ -3,6 +3,7 @@
 // A step summary of GitHub ends at 1 MiB and shows ten errors of a step; GitLab shows the same Markdown in a merge request's note. So
 // lists and texts are cut, and what was cut is counted.
 #include <reports/document/tally.hpp>
+#include <reports/document/text.hpp>
 #include <reports/document/write.hpp>
 
 #include <fmt/format.h>
@@ -28,7 +29,7 @@ std::string cut(std::string text) {
 // Plain text as Markdown, of one line: nothing of it is markup, and it may stand in a table.
 std::string plain(const std::string& text) {
   std::string out;
-  for (const char c : cut(text)) {
+  for (const char c : cut(clean(text))) {
     if (c == '\n' || c == '\r' || c == '\t')
       out += ' ';
     else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
@@ -58,7 +59,7 @@ std::string left_out(std::size_t all) { return all > most_listed ? fmt::format("
 // Of a workflow command: what would end it, and in a property what would end that.
 std::string escaped(const std::string& text, bool property) {
   std::string out;
-  for (const char c : cut(text)) {
+  for (const char c : cut(clean(text))) {
     if (c == '%' || c == '\n' || c == '\r' || (property && (c == ':' || c == ',')))
       out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
     else if (static_cast<unsigned char>(c) >= 0x20)

@@ -3,6 +3,7 @@
 #include <functional>
 #include <future>
 #include <reports/document/folder/artwork.hpp>
+#include <reports/document/pdf/pdf_finish.hpp>
 #include <reports/document/write.hpp>
 #include <reports/figure/draw.hpp>
 #include <thread>
@@ -57,12 +58,16 @@ void run_all(const std::vector<std::function<void()>>& tasks, bool (*interrupted
 
 Artwork draw_all(const Report& r, const Names& names, bool (*interrupted)()) {
   const auto figures = figures_of(r);
-  Artwork art{std::vector<std::string>(figures.size()), std::vector<std::string>(figures.size()), {}};
+  const auto pictures = pictures_of(r);
+  Artwork art{
+      std::vector<std::string>(figures.size()), std::vector<std::string>(figures.size()), std::vector<std::string>(pictures.size()), {}};
   std::vector<std::function<void()>> tasks{[&] { art.report_pdf = to_pdf(r); }};  // the longest first
   for (std::size_t i = 0; i < figures.size(); ++i) {
     tasks.push_back([&, i] { art.svg[i] = figure::to_svg(renamed(*figures[i], names.figures[i])); });
     tasks.push_back([&, i] { art.pdf[i] = figure::to_pdf(renamed(*figures[i], names.figures[i])); });
   }
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    if (!pictures[i]->pdf.empty()) tasks.push_back([&, i] { art.picture_pdf[i] = pdf::packed(pictures[i]->pdf); });
   run_all(tasks, interrupted);
   return art;
 }

@@ -8,6 +8,7 @@ namespace pmreport::document {
 
 struct Artwork {  // figures in the order of the report
   std::vector<std::string> svg, pdf;
+  std::vector<std::string> picture_pdf;  // of pictures in the order of the report; empty where there is none
   std::string report_pdf;
 };
 

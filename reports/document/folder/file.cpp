@@ -48,21 +48,27 @@ void fail(const char* deed, const std::filesystem::path& path, int error) {
 }
 
 void write_new_file(const std::filesystem::path& path, std::string_view bytes) {
+  write_new_file(path, [&](const auto& put) { put(bytes); });
+}
+
+void write_new_file(const std::filesystem::path& path, const Pieces& pieces) {
   Descriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
   if (file.number() < 0) fail("make", path, errno);
   constexpr std::size_t most = 1u << 30;  // Linux writes at most 2 GiB a call
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(file.number(), bytes.data(), std::min(bytes.size(), most));
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) fail("write", path, written < 0 ? errno : ENOSPC);
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
+  pieces([&](std::string_view bytes) {
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(file.number(), bytes.data(), std::min(bytes.size(), most));
+      if (written < 0 && errno == EINTR) continue;
+      if (written <= 0) fail("write", path, written < 0 ? errno : ENOSPC);
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+  });
   if (fsync(file.number()) != 0) fail("write", path, errno);
   if (!file.close()) fail("write", path, errno);
 }
 
-void make_folder(const std::filesystem::path& path) {
-  if (mkdir(path.c_str(), 0777) != 0) fail("make", path, errno);
+void make_folder(const std::filesystem::path& path, mode_t mode) {
+  if (mkdir(path.c_str(), mode) != 0) fail("make", path, errno);
 }
 
 bool make_missing_folder(const std::filesystem::path& path) {

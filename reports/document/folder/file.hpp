@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <reports/document/write.hpp>
 #include <string_view>
 #include <utility>
@@ -27,8 +28,12 @@ class Descriptor {
 // Throws OutputError: "cannot DEED PATH: No space left on device. Free some space, ..."
 [[noreturn]] void fail(const char* deed, const std::filesystem::path& path, int error);
 
-void write_new_file(const std::filesystem::path& path, std::string_view bytes);  // on the disk when it returns
-void make_folder(const std::filesystem::path& path);
+// On the disk when it returns.
+void write_new_file(const std::filesystem::path& path, std::string_view bytes);
+// Of what `pieces` hands to its argument, one after another.
+using Pieces = std::function<void(const std::function<void(std::string_view piece)>& put)>;
+void write_new_file(const std::filesystem::path& path, const Pieces& pieces);
+void make_folder(const std::filesystem::path& path, mode_t mode = 0777);
 // Not if somebody else has made it by now, which is told by false.
 bool make_missing_folder(const std::filesystem::path& path);
 // With all in it, also where its owner may not write; what cannot be removed stays.

@@ -102,6 +102,12 @@ void restore(const fs::path& target) {
   }
 }
 
+// Who may look into a report is for its owner to say, and stays so. Where nothing stands yet, the process's mask says it.
+mode_t mode_of(const fs::path& folder) {
+  struct stat old {};
+  return stat(folder.c_str(), &old) == 0 ? (old.st_mode & 07777) | S_IRWXU : 0777;
+}
+
 fs::path cleared(const fs::path& target) {
   restore(target);
   refuse_foreign(target);
@@ -142,8 +148,8 @@ void MadeParents::keep() {
   made_.clear();
 }
 
-TemporaryFolder::TemporaryFolder(fs::path path) : path_(std::move(path)) {
-  make_folder(path_);
+TemporaryFolder::TemporaryFolder(fs::path path, mode_t mode) : path_(std::move(path)) {
+  make_folder(path_, mode);
   now_there(Left::folder, path_);
 }
 
@@ -153,13 +159,17 @@ TemporaryFolder::~TemporaryFolder() {
 }
 
 StagedFolder::StagedFolder(const std::string& folder)
-    : target_(resolve(folder)), parents_(target_), lock_(target_), partial_(cleared(target_)) {}
+    : target_(resolve(folder)), parents_(target_), lock_(target_), partial_(cleared(target_), mode_of(target_)) {}
 
 void StagedFolder::add(const std::string& name, std::string_view bytes) {
+  add(name, [&](const auto& put) { put(bytes); });
+}
+
+void StagedFolder::add(const std::string& name, const Pieces& pieces) {
   const fs::path path = partial_.path() / name;
   std::error_code error;
   if (!fs::exists(path.parent_path(), error)) make_folder(path.parent_path());
-  write_new_file(path, bytes);
+  write_new_file(path, pieces);
 }
 
 void StagedFolder::commit() {
@@ -168,8 +178,8 @@ void StagedFolder::commit() {
   }
   sync_folder(partial_.path());
   refuse_foreign(target_);  // again: somebody may have saved a note there while the report was drawn
-  // Who else may look into a report is for its owner to say, and stays so.
-  if (struct stat old{}; stat(target_.c_str(), &old) == 0) chmod(partial_.path().c_str(), (old.st_mode & 07777) | S_IRWXU);
+  // What the mask has taken away is given back, where a sandbox allows it.
+  if (std::error_code error; fs::exists(target_, error)) chmod(partial_.path().c_str(), mode_of(target_));
   if (!put_in_place(partial_.path(), target_)) fail("replace", target_, errno);
   parents_.keep();
   now_standing(target_);

@@ -1,9 +1,11 @@
 // A folder that is replaced as a whole or not at all.
 #pragma once
 
+#include <reports/document/folder/file.hpp>
 #include <reports/document/folder/folder_lock.hpp>
 #include <reports/document/write.hpp>
 
+#include <sys/types.h>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -28,7 +30,7 @@ class MadeParents {
 // A folder and all in it, gone at the end.
 class TemporaryFolder {
  public:
-  explicit TemporaryFolder(std::filesystem::path path);
+  TemporaryFolder(std::filesystem::path path, mode_t mode);
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
   ~TemporaryFolder();
@@ -45,6 +47,7 @@ class StagedFolder {
  public:
   explicit StagedFolder(const std::string& folder);
   void add(const std::string& name, std::string_view bytes);  // "figures/displacement.svg": at most one folder deep
+  void add(const std::string& name, const Pieces& pieces);
   void commit();
 
  private:

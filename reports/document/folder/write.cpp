@@ -41,9 +41,15 @@ void write(const Report& r, StagedFolder& staged, bool (*interrupted)()) {
     add(stem + ".png", pictures[i]->png);
     if (!names.drawn[i]) continue;
     add(stem + ".svg", pictures[i]->svg);
-    add(stem + ".pdf", pictures[i]->pdf);
+    add(stem + ".pdf", art.picture_pdf[i]);
   }
-  for (std::size_t i = 0; i < r.data.size(); ++i) add("data/" + names.data[i] + ".csv", to_csv(r.data[i]));
+  for (std::size_t i = 0; i < r.data.size(); ++i)
+    staged.add("data/" + names.data[i] + ".csv", [&](const auto& put) {
+      to_csv(r.data[i], [&](std::string_view piece) {
+        go_on();
+        put(piece);
+      });
+    });
   for (std::size_t i = 0; i < r.files.size(); ++i) add("data/" + names.files[i], r.files[i].bytes);
   add("summary.md", to_markdown(r));
   add("junit.xml", to_junit(r));

@@ -79,7 +79,7 @@ void write_figure(Page& page, const figure::Figure& figure, int number) {
   html.element("figure", {{"id", "figure-" + name}, {"class", wide ? "plot full" : "plot column"}}, [&] {
     write_scroll_box(page, figure.caption, [&] {
       html.element("div", {{"class", "drawing"}, {"role", "img"}, {"aria-label", name_of(figure)}},
-                   [&] { html.markup(inline_svg(page.drawings[page.figure])); });
+                   [&] { html.markup(inline_svg(page.drawings[page.figure], page.glyphs)); });
     });
     if (const std::string series = series_data(figure); !series.empty())
       html.element("script", {{"type", "application/json"}}, [&] { html.markup(series); });
@@ -157,7 +157,7 @@ void write_picture(Page& page, const Picture& picture, int most_pixels, const st
   html.element("figure", [&] {
     if (picture.as_lines)
       html.element("div", {{"class", "lines"}, {"role", "img"}, {"aria-label", picture.caption}},
-                   [&] { html.markup(inline_svg(picture.svg)); });
+                   [&] { html.markup(inline_svg(picture.svg, page.glyphs)); });
     else
       html.open("img", {{"src", "data:image/png;base64," + base64(narrowed(picture.png, most_pixels))},
                         {"alt", picture.caption},

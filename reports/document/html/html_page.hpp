@@ -6,7 +6,13 @@
 #include <reports/document/numbering.hpp>
 #include <reports/document/write.hpp>
 
+#include <map>
+#include <string>
+#include <vector>
+
 namespace pmreport::document {
+
+using Glyphs = std::map<std::string, std::string>;  // outlines in SVG, and the id that each has in the page
 
 struct Page {
   const Report& report;
@@ -15,6 +21,7 @@ struct Page {
   const Numbering numbering = numbering_of(report);
   HtmlWriter html = {};
   std::size_t figure = 0, picture = 0;  // how many are written
+  Glyphs glyphs = {};
 };
 
 // `number`: the block's among figures or tables; 0: it has none.
@@ -40,6 +47,8 @@ std::string to_html(const Report& r, const Names& names, const std::vector<std::
 // styles, as Jenkins does by default, would draw every curve as a black blot. Its role and title are left out: what stands around it has
 // them, and a title would pop up wherever a pointer rests.
 std::string inline_svg(const std::string& svg);
+// Glyphs that an earlier drawing of the page has, as `shared` tells, are taken from there; its own are added.
+std::string inline_svg(const std::string& svg, Glyphs& shared);
 
 extern const char* const html_style;
 extern const char* const html_theme;   // more style

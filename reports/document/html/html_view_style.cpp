@@ -41,6 +41,10 @@ const char* const html_view_style = R"css(
 .stroke { background: linear-gradient(var(--rule), var(--rule)) center / calc((100% - 1rem) / 1.2) 1.1rem no-repeat; }
 .entry { font: inherit; color: var(--ink); background: var(--paper); border: 1px solid var(--rule); border-radius: .3rem; width: 5.6rem; text-align: right; padding: .15rem .35rem; min-height: 1.75rem; }
 .hand .unit { display: inline-block; min-width: 1.9em; color: var(--quiet); } .hand .word { color: var(--bad); font-weight: 600; }
+.remark { display: block; color: var(--quiet); white-space: normal; font-size: .8rem; line-height: 1.3; max-width: 11rem; } .remark:empty { display: none; }
+.entry[aria-invalid="true"] { border-color: var(--bad); } .entry[aria-invalid="true"] ~ .remark { color: var(--bad); font-weight: 600; }
+.view-lost { position: absolute; inset: 0; display: flex; flex-direction: column; align-items: center; padding: .8rem; background: var(--paper); }
+.view-lost p { margin: 0 0 .5rem; } .view-lost img { min-height: 0; max-width: 100%; object-fit: contain; }
 .hand tr.broken > *, .hand tr.broken .entry { color: var(--bad); font-weight: 600; }
 .hand-condition { margin: .8rem 0 0; }
 

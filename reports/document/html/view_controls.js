@@ -49,10 +49,17 @@ function verdictOf(state) {
 }
 
 // Why the machine did not go where it was asked to.
-function refusalOf(why) {
-  return {
-    reach: "Out of reach.", singular: "A singular pose is in the way.", side: "That pose lies beyond a singular one.",
-  }[why] + " The machine stays where it was.";
+const refusals = { reach: "Out of reach", singular: "A singular pose is in the way", side: "That pose lies beyond a singular one" };
+const refusalOf = (why) => refusals[why] + ". The machine stays where it was.";
+
+// What stands beside a field whose word was not taken.
+const remarkOf = (text, why) => "“" + text.trim() + "”: " + why;
+
+// An angle that was typed and the one that the machine tells, in degrees, where whole turns lie between them; else nothing.
+function turnsTold(typed, kept) {
+  const turns = Math.round((typed - kept) / 360), count = Math.abs(turns);
+  if (turns === 0) return "";
+  return withUnit(declared(typed), "°") + " is " + withUnit(declared(kept), "°") + (turns > 0 ? " and " : " less ") + (count === 1 ? "a turn" : count + " turns");
 }
 
 // A number as a reader types it; null where it is none.
@@ -159,12 +166,19 @@ function makeStage(box, model, canvas, hands) {
     inSight = entries[entries.length - 1].isIntersecting;
     draw();
   }).observe(canvas);
+  // A browser may take the graphics card away, and give it back. Until then the still picture stands in.
+  const still = element("div", { class: "view-lost", role: "status" });
   canvas.addEventListener("webglcontextlost", (event) => {
     event.preventDefault();
     painter = null;
+    const cover = document.querySelector(".front figure img");
+    still.replaceChildren(element("p", { class: "note" }, "The browser has lost its connection to the graphics card, and cannot draw in 3D until it is back." + (cover ? " The picture shows the machine at home." : "")));
+    if (cover) still.append(element("img", { src: cover.src, alt: cover.alt }));
+    box.append(still);
   });
   canvas.addEventListener("webglcontextrestored", () => {
     painter = makePainter(canvas, model, stage);
+    if (painter) still.remove();
     draw();
   });
 
@@ -274,18 +288,25 @@ function makePlayer(model, followed) {
   return { row: element("div", { class: "view-row" }, play, slider.row, speed), toggle, set, time: () => time };
 }
 
-// A slider with its number, which may be typed as well. `move(value)` gets what the reader asks for, in the unit of the item.
+// A slider with its number, which may be typed as well. `move(value)` gets what the reader asks for, in the unit of the item, and answers
+// what stands beside the number then: why it was not taken, or how. A remark stays until something else is asked for.
 function makeEntry(name, unit, low, high, move) {
   const label = unit ? name + " in " + unit : name;
   const slider = element("input", { type: "range", min: low, max: high, step: "any", "aria-label": label });
   const number = element("input", { type: "text", inputmode: "decimal", class: "entry", autocomplete: "off", "aria-label": label + ", as a number" });
-  let at = low;
+  const remark = element("span", { class: "remark", role: "status" });
+  let at = low, text = "";
+  const say = (words, refused) => {
+    remark.textContent = words;
+    number.setAttribute("aria-invalid", String(refused));
+  };
   const follow = (value) => {
     at = value;
-    const text = told(value, low, low + (high - low) / 10);  // a digit more than a plot tells
+    text = told(value, low, low + (high - low) / 10);  // a digit more than a plot tells
     slider.value = value;
     slider.setAttribute("aria-valuetext", withUnit(text, unit));
     if (document.activeElement !== number) number.value = text;
+    say("", false);
   };
   slider.addEventListener("input", () => move(Number(slider.value)));
   slider.addEventListener("keydown", (event) => {
@@ -294,13 +315,22 @@ function makeEntry(name, unit, low, high, move) {
     event.preventDefault();
     move(clamped(Number(slider.value) + (steps * (high - low)) / 200, low, high));
   });
-  number.addEventListener("change", () => {
-    const typed = numberTyped(number.value);
+  number.addEventListener("input", () => say("", false));
+  number.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape") return;
+    number.value = text;
+    say("", false);
     number.blur();
-    if (typed === null) follow(at);
-    else move(typed);
   });
-  return { slider, number, follow };
+  number.addEventListener("change", () => {
+    const written = number.value, typed = numberTyped(written);
+    number.blur();
+    const answer = typed === null ? { refused: "no number" } : move(typed);
+    if (typed === null) follow(at);
+    if (answer.refused) say(remarkOf(written, answer.refused), true);
+    else if (answer.taken) say(answer.taken, false);
+  });
+  return { slider, number, remark, follow };
 }
 
 const heading = (text, kind) => element("th", kind ? { scope: "col", class: kind } : { scope: "col" }, text);
@@ -321,6 +351,7 @@ function makeHands(live, moved) {
     quiet = setTimeout(() => spoken.textContent !== text && (spoken.textContent = text), 700);
   };
 
+  // Whether it went there.
   const set = (next, why = "reach") => {
     const reached = next && live.at(next);
     if (!reached || !reached.reachable) {
@@ -336,18 +367,21 @@ function makeHands(live, moved) {
     return true;
   };
 
-  const entryCell = (entry, unit) => element("td", { class: "number value" }, entry.number, " ", element("span", { class: "unit" }, unit));
+  const entryCell = (entry, unit) => element("td", { class: "number value" }, entry.number, " ", element("span", { class: "unit" }, unit), entry.remark);
+  // What an entry says of a move to here.
+  const answerOf = (moved, why) => (moved ? {} : { refused: refusals[why][0].toLowerCase() + refusals[why].slice(1) });
   const coordinates = live.coordinates.map(({ symbol, title, unit, factor, min, max }, i) => {
-    const entry = makeEntry(symbol, unit, min * factor, max * factor, (value) => set(Array.from(x, (old, k) => (k === i ? value / factor : old))));
+    const entry = makeEntry(symbol, unit, min * factor, max * factor, (value) => answerOf(set(Array.from(x, (old, k) => (k === i ? value / factor : old))), "reach"));
     const row = element("tr", {}, element("th", { scope: "row", title }, symbol), element("td", {}, entry.slider), entryCell(entry, unit));
     return { row, follow: () => entry.follow(x[i] * factor) };
   });
-  const actuators = live.actuators.map(({ symbol, title, unit, factor, min, max, effort }, i) => {
+  const actuators = live.actuators.map(({ symbol, title, unit, factor, rotary, min, max, effort }, i) => {
     const bounded = Number.isFinite(min) && Number.isFinite(max), here = state.actuators[i], reach = bounded ? (max - min) / 10 : Math.abs(here) || 1;
     const from = (bounded ? min : here) - reach, to = (bounded ? max : here) + reach;
     const entry = makeEntry(symbol, unit, from * factor, to * factor, (value) => {
-      const how = {};
-      set(live.solve(Array.from(state.actuators, (old, k) => (k === i ? value / factor : old)), x, how), how.why);
+      const how = {}, moved = set(live.solve(Array.from(state.actuators, (old, k) => (k === i ? value / factor : old)), x, how), how.why);
+      if (moved && rotary) return { taken: turnsTold(value / factor / deg, state.actuators[i] / deg) };
+      return answerOf(moved, how.why || "reach");
     });
     const word = element("span", { class: "word" }), push = element("td", { class: "number force" });
     const row = element("tr", {}, element("th", { scope: "row", title }, symbol, " ", word), element("td", {}, element("div", { class: bounded ? "stroke" : "" }, entry.slider)), entryCell(entry, unit), push);

@@ -157,12 +157,12 @@ class Breaker {
     const std::size_t end = end_of_moving(moving);
     // Where it parts an introduction from its figure, something else must stand in for that.
     const double parts = moving > 0 && items_[moving - 1].reluctance >= parted ? items_[moving - 1].reluctance : 0;
-    bool text = true;
+    bool stands_in = false;
     for (std::size_t i = end; i < items_.size() && items_[i].section == items_[moving].section && !items_[i].may_move; ++i) {
       add(d, i);
       if (!fits(d)) return;
-      text = text && items_[i].text;
-      if (begins_block(i + 1)) consider(best, d, {moving, end, i + 1}, moved + (text ? parts : 0));
+      stands_in = stands_in || items_[i].stands_in;
+      if (begins_block(i + 1)) consider(best, d, {moving, end, i + 1}, moved + (stands_in ? 0 : parts));
     }
   }
 

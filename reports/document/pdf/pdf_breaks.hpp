@@ -26,9 +26,9 @@ struct Item {
   double reluctance = 0;  // of a page to end after it, one of the costs above
   int block = 0;          // the block and the section that it belongs to, counted up
   int section = 0;
-  bool may_move = false;  // its block
-  bool text = false;      // a paragraph: it may follow an introduction in place of a figure, but does not end it
-  double head = 0;        // height of what a page that begins with it repeats from a table [pt]
+  bool may_move = false;   // its block
+  bool stands_in = false;  // a table: it may follow an introduction in place of a figure
+  double head = 0;         // height of what a page that begins with it repeats from a table [pt]
 };
 
 struct Sheet {

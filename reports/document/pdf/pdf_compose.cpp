@@ -46,7 +46,8 @@ struct PutBlock {
 
 Flow::Kind kind_of(const Block& block) {
   if (std::holds_alternative<Paragraph>(block)) return Flow::Kind::text;
-  return std::holds_alternative<Table>(block) || std::holds_alternative<Proof>(block) ? Flow::Kind::table : Flow::Kind::picture;
+  if (std::holds_alternative<Proof>(block)) return Flow::Kind::evidence;
+  return std::holds_alternative<Table>(block) ? Flow::Kind::table : Flow::Kind::picture;
 }
 
 void begin(Composer& c, const Entry& e) {

@@ -211,6 +211,19 @@ std::string written(QPDF& pdf) {
 
 }  // namespace
 
+std::string packed(const std::string& drawn) {
+  try {
+    QPDF pdf;
+    pdf.setSuppressWarnings(true);
+    pdf.processMemoryFile("a picture", drawn.data(), drawn.size());
+    return written(pdf);
+  } catch (const std::bad_alloc&) {  // no fault of the output
+    throw;
+  } catch (const std::exception& e) {
+    throw OutputError(std::string("the PDF of a picture could not be packed: ") + e.what());
+  }
+}
+
 std::string finished(const std::string& drawn, const Finishing& f) {
   try {
     QPDF pdf;

@@ -40,7 +40,7 @@ const std::vector<Page>& Flow::finish() {
                      .block = w.block,
                      .section = w.section,
                      .may_move = w.kind == Kind::picture,
-                     .text = w.kind == Kind::text,
+                     .stands_in = w.kind == Kind::table,
                      .head = w.within ? w.within->head.height : 0});
   }
   for (const Sheet& sheet : break_pages(items, text_height)) {

@@ -55,7 +55,7 @@ class Flow {
   void gap(double height);  // white, gone at the top of a page; gaps that meet are one, as large as the largest [pt]
   // What is put from here on is one block, until the next begins. A picture may stand after the blocks that follow it in its section where
   // a page ends better so; it never overtakes another.
-  enum class Kind { text, picture, table };
+  enum class Kind { text, picture, table, evidence };
   void block(Kind kind);
   void section(const std::string& running_title);       // begins one
   void reluctance(double cost) { reluctance_ = cost; }  // of a page to end after any piece that is put from here on

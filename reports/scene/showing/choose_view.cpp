@@ -14,27 +14,41 @@ using mechanics::Pose;
 
 constexpr double deg = std::numbers::pi / 180;
 constexpr int width = 96, height = 72;  // [px] of the pictures that are looked at
-constexpr double weight_limbs = 0.45, weight_least = 0.15, weight_platform = 0.15, weight_joints = 0.25;
-constexpr double nearly = 0.95;  // of the best: the isometric view is kept
-constexpr double alike = 0.01;   // in visibility
+// How much each of them counts, of 1 in all.
+constexpr double weight_limbs = 0.38, weight_least = 0.12, weight_platform = 0.1, weight_joints = 0.2, weight_middle = 0.15;
+constexpr double weight_base = 0.05;
+constexpr double length_of_axes = 0.23;  // of the overall size
+constexpr double nearly = 0.95;          // of the best: the isometric view is kept
+constexpr double alike = 0.01;           // in visibility
 constexpr double in_front = 0.08;
 
-// The parts that are to be seen: each body but the base, and the joints that each body carries.
+// The parts that are to be seen: the base, which is 0, each other body, the joints that each body carries, and the middle: the line
+// from the base's frame to the platform's, and their z axes.
 struct Parts {
   Scene scene;
   std::vector<int> part;
   int bodies;  // parts from here on are joints
-  int count() const { return 2 * bodies; }
+  int middle() const { return 2 * bodies; }
+  int count() const { return middle() + 1; }
 };
 
 Parts parts_of(const Machine& machine, const Pose& pose) {
   const Sizes sizes = measure(machine);
   Parts out{{}, {}, static_cast<int>(machine.topology().bodies.size())};
   add_bodies(out.scene, machine, pose, sizes);
-  for (const Solid& s : out.scene.solids) out.part.push_back(s.body == 0 ? -1 : s.body);
+  for (const Solid& s : out.scene.solids) out.part.push_back(s.body);
   const std::size_t first = out.scene.solids.size();
   add_joints(out.scene, machine, pose, sizes);
   for (std::size_t k = first; k < out.scene.solids.size(); ++k) out.part.push_back(out.bodies + out.scene.solids[k].body);
+  const int platform = machine.topology().platform;
+  const Eigen::Vector3d foot = machine.origin(pose, 0), head = machine.origin(pose, platform);
+  const double axis = length_of_axes * sizes.overall;
+  for (const auto& [from, to] : {std::pair{foot, head},
+                                 {foot, Eigen::Vector3d(foot + axis * machine.rotation(pose, 0).col(2))},
+                                 {head, Eigen::Vector3d(head + axis * machine.rotation(pose, platform).col(2))}}) {
+    out.scene.solids.push_back(cylinder(from, to, 0, palette::ink));
+    out.part.push_back(out.middle());
+  }
   return out;
 }
 
@@ -55,7 +69,8 @@ double away(const Direction& a, const Direction& b) {
 Direction isometric() { return {45 * deg, std::atan(1 / std::numbers::sqrt2)}; }
 
 // A part whose half is seen is known almost as well as a whole one: the square root of the share counts. The least of the limbs' parts
-// counts once more, so that none is left out for the sake of the others.
+// counts once more, so that none is left out for the sake of the others. What stands before the middle, as a tower or a leg before the
+// platform, hides little and yet is what a reader sees first: how much of it is not covered counts by itself.
 std::vector<double> visibility(const Machine& machine, const std::vector<Pose>& poses, const Bounds& bounds,
                                const std::vector<Direction>& directions) {
   std::vector<double> sum(directions.size(), 0);
@@ -69,21 +84,28 @@ std::vector<double> visibility(const Machine& machine, const std::vector<Pose>& 
     for (const auto& view : seen)
       for (std::size_t p = 0; p < view.size(); ++p) largest[p] = std::max(largest[p], view[p].alone);
     for (std::size_t k = 0; k < directions.size(); ++k) {
-      double limbs = 0, joints = 0, of_platform = 0, least = 1;
+      double limbs = 0, joints = 0, of_platform = 0, of_base = 0, least = 1;
       int bodies = 0, carriers = 0;
-      for (int p = 1; p < parts.count(); ++p) {
+      for (int p = 0; p < parts.middle(); ++p) {
         const auto at = static_cast<std::size_t>(p);
         if (largest[at] == 0) continue;
         const double share = std::sqrt(static_cast<double>(seen[k][at].seen) / largest[at]);
-        if (p == platform)
+        if (p == 0)
+          of_base = share;
+        else if (p == platform)
           of_platform = share;
         else if (p < parts.bodies)
           limbs += share, ++bodies, least = std::min(least, share);
         else
           joints += share, ++carriers;
       }
-      sum[k] += weight_limbs * (bodies > 0 ? limbs / bodies : 1) + weight_least * least + weight_platform * of_platform +
-                weight_joints * (carriers > 0 ? joints / carriers : 1);
+      const auto clear = [&](int p) {
+        const Visible& v = seen[k][static_cast<std::size_t>(p)];
+        return v.alone > 0 ? static_cast<double>(v.seen) / v.alone : 1.0;
+      };
+      const double middle = (clear(platform) + clear(parts.middle())) / 2;
+      sum[k] += weight_middle * middle + weight_limbs * (bodies > 0 ? limbs / bodies : 1) + weight_least * least +
+                weight_platform * of_platform + weight_base * of_base + weight_joints * (carriers > 0 ? joints / carriers : 1);
     }
   }
   for (double& s : sum) s /= static_cast<double>(std::max<std::size_t>(1, poses.size()));
@@ -112,11 +134,12 @@ bool base_is_in_front(const Machine& machine, const std::vector<Pose>& poses, co
     const Camera camera = camera_of(bounds, direction);
     const auto count = [&] {
       int sum = 0;
-      for (const Visible& v : visible(parts.scene, parts.part, parts.count(), camera, width, height)) sum += v.seen;
+      const std::vector<Visible> all = visible(parts.scene, parts.part, parts.count(), camera, width, height);
+      for (std::size_t p = 1; p < all.size(); ++p) sum += all[p].seen;
       return sum;
     };
     with += count();
-    std::replace(parts.part.begin(), parts.part.end(), -1, -2);
+    std::replace(parts.part.begin(), parts.part.end(), 0, -2);
     without += count();
   }
   return without - with > in_front * without;

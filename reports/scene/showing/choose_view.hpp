@@ -12,7 +12,8 @@ struct Direction {
 Direction isometric();  // azimuth 45°, the three axes equally long
 
 // How well the machine is seen at these poses, framed by `bounds`: of every body of the limbs, of the platform and of the joints the share
-// of its largest picture among `directions` that is neither hidden nor foreshortened. 0: nothing is seen; 1: all of it.
+// of its largest picture among `directions` that is neither hidden nor foreshortened; and how much of the middle, the platform and the
+// frames, nothing stands before. 0: nothing is seen; 1: all of it.
 std::vector<double> visibility(const mechanics::Machine& machine, const std::vector<mechanics::Pose>& poses, const Bounds& bounds,
                                const std::vector<Direction>& directions);
 

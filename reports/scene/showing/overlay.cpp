@@ -49,10 +49,10 @@ Scene build(const Machine& machine, const Overlay& overlay, const Extras& extras
       scene.solids.push_back(std::move(s));
     }
   }
-  const double dot = 0.30 * sizes.joint;
   for (const Mark& mark : overlay.marks) {
+    const double dot = (mark.of_pose ? 0.45 : 0.26) * sizes.joint;
     scene.solids.push_back(ball(mark.at, dot, palette::path, 0.8f));
-    if (extras.labels) scene.labels.push_back({mark.at, mark.text, palette::path, dot});
+    if (extras.labels) scene.labels.push_back({mark.at, mark.text, palette::path, dot, !mark.of_pose});
   }
   return scene;
 }

@@ -10,6 +10,7 @@ namespace pmreport::scene {
 struct Mark {  // a dot on the path, and what is written at it
   Eigen::Vector3d at;
   std::string text;
+  bool of_pose = false;  // of one that is shown; else its text is left out where there is no room
 };
 
 // The first pose solid, the last too where the motion ends in it, the others as ghosts, on the one base; the path with its marks. Of the

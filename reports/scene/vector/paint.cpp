@@ -3,7 +3,6 @@
 #include <memory>
 #include <numbers>
 #include <reports/figure/surface.hpp>
-#include <reports/figure/text.hpp>
 #include <reports/scene/vector/drawing.hpp>
 
 namespace pmreport::scene {
@@ -12,7 +11,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Everything is scaled here and not by Cairo: it keeps words with the text at the place where they are asked for.
 class Painter {
  public:
   Painter(cairo_t* cr, const Drawing& drawing, double width)
@@ -34,9 +32,7 @@ class Painter {
 
   void labels() {
     const double size = scale_ * label_size(drawing_.width, drawing_.printed);
-    for (std::size_t i = 0; i < drawing_.labels.size(); ++i)
-      if (drawing_.labels[i].leader) leader(drawing_.labels[i], drawing_.label_colors[i], size);
-    for (std::size_t i = 0; i < drawing_.labels.size(); ++i) text(drawing_.labels[i], drawing_.label_colors[i], size);
+    write_labels(cr_, drawing_.labels, drawing_.label_colors, {size, scale_, drawing_.manner == Manner::plain});
   }
 
  private:
@@ -88,38 +84,6 @@ class Painter {
       i = k;
     }
     cairo_set_dash(cr_, nullptr, 0, 0);
-  }
-
-  void leader(const LabelSpot& s, const Color& color, double size) {
-    cairo_set_line_cap(cr_, CAIRO_LINE_CAP_ROUND);
-    for (const bool rim : {true, false}) {
-      cairo_move_to(cr_, scale_ * s.from.x(), scale_ * s.from.y());
-      cairo_line_to(cr_, scale_ * s.to.x(), scale_ * s.to.y());
-      cairo_set_line_width(cr_, (rim ? 0.17 : 0.06) * size);
-      set(rim ? Color{1, 1, 1, 0.6f} : color);
-      cairo_stroke(cr_);
-    }
-  }
-
-  void text(const LabelSpot& s, const Color& color, double size) {
-    const figure::Text text(cr_, label_markup(s.box.text, size), {size}, 0, true);
-    PangoRectangle ink;
-    pango_layout_get_extents(text.layout(), &ink, nullptr);
-    const double x = scale_ * s.box.x + halo * size - ink.x / double(PANGO_SCALE);
-    const double y = scale_ * s.box.y + halo * size - ink.y / double(PANGO_SCALE);
-    set({1, 1, 1, 0.85f});
-    if (drawing_.manner == Manner::plain) {  // lines are interrupted by a box, which is small where a page holds it
-      cairo_rectangle(cr_, scale_ * s.box.x, scale_ * s.box.y, scale_ * s.box.width, scale_ * s.box.height);
-      cairo_fill(cr_);
-    } else {
-      cairo_move_to(cr_, x, y);
-      pango_cairo_layout_path(cr_, text.layout());
-      cairo_set_line_join(cr_, CAIRO_LINE_JOIN_ROUND);
-      cairo_set_line_width(cr_, 2 * halo * size);
-      cairo_stroke(cr_);
-    }
-    set(color);
-    text.show(x, y);
   }
 
   cairo_t* cr_;

@@ -2,6 +2,8 @@
 
 #include <core/scenario/section/keys.hpp>
 
+#include <fmt/core.h>
+
 namespace pmreport::section {
 
 using scenario::Shape;
@@ -44,6 +46,13 @@ std::vector<scenario::Quantity> quantities(const scenario::Options*) {
           {"assembly.nearest", "m", "least distance along the motion to another assembly mode", false, true}};
 }
 
+// Nobody knows how many modes there will be that are followed along the motion; of a platform on six legs there were ten.
+MemoryNeed::Part memory_of(const scenario::Loaded& loaded, const scenario::Section&, bool) {
+  constexpr double of_sample = 32e3;
+  const int samples = loaded.trajectory.samples();
+  return {of_sample * samples, fmt::format("assembly modes along {} samples", samples), "fewer samples"};
+}
+
 }  // namespace
 
 const SectionKind& assembly_kind() {
@@ -62,7 +71,9 @@ const SectionKind& assembly_kind() {
        .complete = complete},
       [](const Context& c, const scenario::Section& s) {
         return assembly_section(c.analysis, options_of<AssemblyOptions>(s), c.stage, c.progress);
-      }};
+      },
+      false,
+      memory_of};
   return kind;
 }
 

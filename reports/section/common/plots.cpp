@@ -258,11 +258,11 @@ document::Proof proof(const Analysis& a, const std::vector<Claim>& claims) {
   return p;
 }
 
-document::Data data_of(const Analysis& a, const std::string& name, ColumnList* list) {
+document::Data handed_over(Analysis& a, const std::string& name, ColumnList* list) {
   document::Data d{name, {"t [s]"}, {a.time()}};
   for (const Column& c : a.columns_of(list)) {
     d.headings.push_back(c.unit.empty() ? c.name : fmt::format("{} [{}]", c.name, c.unit));
-    d.columns.push_back(a.column(c));
+    d.columns.push_back(a.release(c));
   }
   return d;
 }

@@ -45,6 +45,7 @@ struct Claim {
 };
 document::Proof proof(const Analysis& a, const std::vector<Claim>& claims);
 
-document::Data data_of(const Analysis& a, const std::string& name, ColumnList* list);
+// The data file of a list of columns, which the run then has no more.
+document::Data handed_over(Analysis& a, const std::string& name, ColumnList* list);
 
 }  // namespace pmreport::section

@@ -1,8 +1,10 @@
 #include <reports/section/common/stage.hpp>
+#include <reports/section/common/times_on_path.hpp>
 
 #include <core/text/text.hpp>
 #include <core/text/units.hpp>
 #include <reports/scene/diagram/diagram.hpp>
+#include <reports/scene/labels.hpp>
 #include <reports/scene/showing/choose_view.hpp>
 #include <reports/scene/vector/drawing.hpp>
 #include <reports/section/common/words/words.hpp>
@@ -28,12 +30,11 @@ namespace {
 constexpr int framed_poses = 64;     // enough to bound a smooth motion; every pose would cost more than the picture
 constexpr float ghost_base = 0.22F;  // opacity
 
-// A round step, 1, 2 or 5 times a power of ten, of which `most` at the utmost go into `span`.
-double round_step(double span, int most) {
-  const double decade = std::pow(10.0, std::floor(std::log10(span / most)));
-  for (const double step : {1.0, 2.0, 5.0})
-    if (span / (step * decade) <= most) return step * decade;
-  return 10 * decade;
+// How many times along the path have no label, for want of room.
+std::string left_out_words(const scene::Scene& scene, const scene::Camera& camera, const scene::Quality& quality) {
+  auto left = std::ranges::count_if(scene.labels, &scene::Label::optional);
+  for (const scene::LabelSpot& spot : scene::find_spots(scene, camera, quality)) left -= scene.labels[spot.index].optional ? 1 : 0;
+  return left == 0 ? "" : fmt::format(", {} of the dots without one for want of room", left);
 }
 
 }  // namespace
@@ -150,52 +151,22 @@ Stage::Ordered Stage::overlay(const std::vector<int>& samples, const View& view,
   int last = analysis_.samples() - 1;
   while (last > samples.back() && analysis_.outcome(last) == Outcome::unreachable) --last;
   const bool alike = last != samples.back(), returns = alike && at_one_place(samples.front(), last);
-  scene::Overlay overlay{{}, alike, times_on_path()};
+  scene::Overlay overlay{{}, alike, times_on_path(analysis_, samples)};
   std::vector<std::string> times;
   for (const int k : samples) {
     overlay.poses.push_back(analysis_.pose(k));
     times.push_back(show_time(analysis_, k));
   }
   const scene::Camera camera = scene::frame(bounds_, from.azimuth, from.elevation, static_cast<double>(look.width) / look.height);
-  const std::string caption = fmt::format("The motion, {}: poses at t = {}, the first{} solid{}.", words(from), listed(times),
-                                          returns ? ", to which it returns,"
-                                          : alike ? ", near which it ends,"
-                                                  : " and the last",
-                                          overlay.marks.empty() ? "" : "; the path of the platform with times along it");
-  return {{id, caption, "", look.width, look.height},
-          studio_.take(scene::build(analysis_.machine(), overlay, extras), camera,
-                       {look.width, look.height, look.transparent, 2, page_width}, id, caption)};
-}
-
-// At round times, each where the platform is then, between samples along a straight line. Where it comes back to a place the times stand
-// together.
-std::vector<scene::Mark> Stage::times_on_path() const {
-  constexpr int most = 8;
-  constexpr double together = 0.04;  // of the overall size
-  const std::vector<double>& t = analysis_.time();
-  if (t.size() < 2) return {};
-  const mechanics::Machine& machine = analysis_.machine();
-  const double step = round_step(t.back() - t.front(), most), near = together * scene::overall_size(machine);
-  std::vector<scene::Mark> marks;
-  for (double k = std::ceil(t.front() / step - 1e-9); k * step <= t.back() + 1e-9 * step; ++k) {
-    const double time = k * step;
-    const auto after = static_cast<std::size_t>(
-        std::clamp<std::ptrdiff_t>(std::lower_bound(t.begin(), t.end(), time) - t.begin(), 1, static_cast<std::ptrdiff_t>(t.size()) - 1));
-    const int a = static_cast<int>(after) - 1, b = static_cast<int>(after);
-    if (analysis_.outcome(a) == Outcome::unreachable || analysis_.outcome(b) == Outcome::unreachable) continue;
-    const auto origin = [&](int sample) { return machine.origin(analysis_.pose(sample), machine.topology().platform); };
-    const double s = std::clamp((time - t[after - 1]) / (t[after] - t[after - 1]), 0.0, 1.0);
-    const Eigen::Vector3d at = origin(a) + s * (origin(b) - origin(a));
-    const auto same = std::ranges::find_if(marks, [&](const scene::Mark& m) { return (m.at - at).norm() < near; });
-    const std::string text = format_number(time, 6);
-    if (same != marks.end())
-      same->text += ", " + text;
-    else
-      marks.push_back({at, text});
-  }
-  if (marks.size() < 2) return {};  // the platform turns on the spot
-  for (scene::Mark& m : marks) m.text += " s";
-  return marks;
+  const scene::Quality quality{look.width, look.height, look.transparent, 2, page_width};
+  scene::Scene scene = scene::build(analysis_.machine(), overlay, extras);
+  const std::string caption =
+      fmt::format("The motion, {}: poses at t = {}, the first{} solid{}.", words(from), listed(times),
+                  returns ? ", to which it returns,"
+                  : alike ? ", near which it ends,"
+                          : " and the last",
+                  overlay.marks.empty() ? "" : "; the path of the platform with times along it" + left_out_words(scene, camera, quality));
+  return {{id, caption, "", look.width, look.height}, studio_.take(std::move(scene), camera, quality, id, caption)};
 }
 
 Stage::Ordered Stage::picture_at_home(const View& view, const Look& look, const std::string& id) const {

@@ -67,7 +67,6 @@ class Stage {
   bool base_in_front(const View& view) const;
   bool at_one_place(int a, int b) const;
   std::vector<std::string> symbols() const;  // of the actuators
-  std::vector<scene::Mark> times_on_path() const;
   scene::Extras extras_of(const Look& look) const;
   void complete(scene::Extras& extras, const View& view) const;
 

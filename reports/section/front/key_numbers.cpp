@@ -348,6 +348,9 @@ void take_limit_of_a_check(KeyNumber& k, const document::Report& r) {
     const double used = below ? c.value / c.bound : c.bound / c.value;
     if (!(below || above) || (used > 1) == c.passed) continue;
     k.used = used, k.bound = c.bound, k.limit = "checked: " + c.limit;
+    // Beside its limit in the same unit.
+    if (const auto unit = parse_unit(c.told_in); unit && !c.told_in.empty())
+      k.value = show(k.number, DisplayUnit{typographic(c.told_in), 1 / unit->factor});
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <core/scenario/section/keys.hpp>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -127,19 +129,31 @@ std::vector<scenario::Key> all_keys() {
           keys::boolean<O>("load", &O::load, "whether the load is drawn")};
 }
 
+// Pixels of all of them may wait to be packed, and are there packed; of one at a time more is held, as it is put on a page.
+MemoryNeed::Part memory_of(const SnapshotsOptions& o) {
+  constexpr double of_waiting = 5.5, of_one = 2;
+  const double pixels = static_cast<double>(o.width) * o.height;
+  const auto pictures = static_cast<double>(std::max<std::size_t>(1, o.times.size()) * o.views.size()) + (o.overlay != 0 ? 1 : 0);
+  return {pixels * (pictures * of_waiting + of_one), fmt::format("{} pictures of {} x {} pixels", pictures, o.width, o.height),
+          "smaller or fewer pictures"};
+}
+
 }  // namespace
 
 const SectionKind& snapshots_kind() {
-  static const SectionKind kind{{.name = "snapshots",
-                                 .purpose = "pictures of the mechanism at times of the motion",
-                                 .several = true,
-                                 .keys = all_keys(),
-                                 .needs = {.motion = false, .pictures = true},
-                                 .make_options = scenario::plain_options<SnapshotsOptions>,
-                                 .complete = complete},
-                                [](const Context& c, const scenario::Section& s) {
-                                  return snapshots_section(c.analysis, options_of<SnapshotsOptions>(s), c.stage, c.progress, c.number);
-                                }};
+  static const SectionKind kind{
+      {.name = "snapshots",
+       .purpose = "pictures of the mechanism at times of the motion",
+       .several = true,
+       .keys = all_keys(),
+       .needs = {.motion = false, .pictures = true},
+       .make_options = scenario::plain_options<SnapshotsOptions>,
+       .complete = complete},
+      [](const Context& c, const scenario::Section& s) {
+        return snapshots_section(c.analysis, options_of<SnapshotsOptions>(s), c.stage, c.progress, c.number);
+      },
+      false,
+      [](const scenario::Loaded&, const scenario::Section& s, bool) { return memory_of(options_of<SnapshotsOptions>(s)); }};
   return kind;
 }
 

@@ -1,9 +1,11 @@
 // report.html: its structure, and that it holds nothing but what was meant.
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <regex>
 #include <reports/document/html/html_page.hpp>
+#include <reports/document/narrowed.hpp>
 #include <reports/document/write.hpp>
 #include <set>
 
@@ -202,7 +204,13 @@ TEST_CASE("a picture in the page is the picture of the report") {
   const std::string source = attribute(to_html(r), "src").front();
   sample::put(folder / "code", source.substr(source.find(',') + 1));
   REQUIRE(std::system(("base64 -d " + (folder / "code").string() + " > " + (folder / "png").string()).c_str()) == 0);
-  CHECK(sample::bytes_of(folder / "png") == picture.png);
+  const Surface there = decoded(sample::bytes_of(folder / "png"), picture.width), here = decoded(picture.png, picture.width);
+  REQUIRE(there);
+  const int rows = cairo_image_surface_get_height(here.get()), stride = cairo_image_surface_get_stride(here.get());
+  REQUIRE(cairo_image_surface_get_height(there.get()) == rows);
+  REQUIRE(cairo_image_surface_get_stride(there.get()) == stride);
+  CHECK(std::memcmp(cairo_image_surface_get_data(there.get()), cairo_image_surface_get_data(here.get()),
+                    static_cast<std::size_t>(rows * stride)) == 0);
 }
 
 TEST_CASE("the scenario is in the page line by line") {
@@ -219,6 +227,40 @@ TEST_CASE("a drawing keeps its look where inline styles are forbidden") {
                    "0\"/></svg>") ==
         "<svg width=\"1\"><path stroke=\"none\" fill-rule=\"nonzero\" fill=\"rgb(0%,1%,2%)\" d=\"M 0 0\"/></svg>");
   CHECK_FALSE(contains(to_html(sample::report()), " style=\""));
+}
+
+TEST_CASE("a glyph stands once in a page, whatever the number of drawings that use it") {
+  const std::string first =
+                        "<svg><defs>\n<symbol overflow=\"visible\" id=\"f-a-1\">\n<path d=\"M 0 0\"/>\n</symbol>\n</defs>"
+                        "<use xlink:href=\"#f-a-1\"/></svg>",
+                    second =
+                        "<svg><defs>\n<symbol overflow=\"visible\" id=\"f-b-1\">\n<path d=\"M 1 0\"/>\n</symbol>\n"
+                        "<symbol overflow=\"visible\" id=\"f-b-11\">\n<path d=\"M 0 0\"/>\n</symbol>\n</defs>"
+                        "<use xlink:href=\"#f-b-1\"/><use xlink:href=\"#f-b-11\"/></svg>";
+  Glyphs shared;
+  CHECK(inline_svg(first, shared) == first);
+  CHECK(inline_svg(second, shared) ==
+        "<svg><defs>\n<symbol overflow=\"visible\" id=\"f-b-1\">\n<path d=\"M 1 0\"/>\n</symbol>\n</defs>"
+        "<use xlink:href=\"#f-b-1\"/><use xlink:href=\"#f-a-1\"/></svg>");
+  CHECK(inline_svg(second) == second);
+
+  const std::string html = to_html(sample::report());
+  const std::vector<std::string> ids = attribute(html, "id");
+  std::set<std::string> outlines;
+  int glyphs = 0;
+  constexpr std::string_view opening = "<symbol ", closing = "</symbol>";
+  for (std::size_t at = html.find(opening); at != std::string::npos; at = html.find(opening, at + 1), ++glyphs)
+    outlines.insert(html.substr(html.find('>', at), html.find(closing, at) - html.find('>', at)));
+  CHECK(glyphs > 20);
+  CHECK(outlines.size() == static_cast<std::size_t>(glyphs));
+  const std::set<std::string> defined(ids.begin(), ids.end());
+  CHECK(defined.size() == ids.size());
+  const std::vector<std::string> used = attribute(html, "xlink:href");
+  CHECK(used.size() > 100);
+  for (const std::string& use : used) {
+    CAPTURE(use);
+    CHECK((use.starts_with("data:") || defined.contains(use.substr(1))));
+  }
 }
 
 TEST_CASE("an empty report is a page too") {

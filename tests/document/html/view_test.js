@@ -292,11 +292,12 @@ class Part {
   setAttribute(key, value) { this.attributes[key] = value; }
   append(...parts) {
     this.children.push(...parts);
+    for (const part of parts) if (part instanceof Part) part.parent = this;
     if (parts.every((part) => typeof part === "string")) this.textContent += parts.join("");
   }
   replaceChildren(...parts) { this.children = parts; }
   before() {}
-  remove() {}
+  remove() { if (this.parent) this.parent.children = this.parent.children.filter((part) => part !== this); }
   focus() { document.activeElement = this; }
   blur() { document.activeElement = null; }
   setPointerCapture() {}
@@ -313,15 +314,16 @@ class Part {
   }
 }
 
-// Runs `act(find)` on the view of the sample, whose platform a live machine moves by hand; `find` looks for a part of it.
-function withView(act) {
+// Runs `act(find, asked)` on the view of the sample, whose platform a live machine moves by hand; `find` looks for a part of it, `asked` has
+// the values that its actuator was asked for. `actuator`: what else is true of that. Nothing is in reach beyond 7.
+function withView(act, actuator = {}) {
   const before = {};
   const put = (name, value) => {
     before[name] = Object.getOwnPropertyDescriptor(globalThis, name);
     Object.defineProperty(globalThis, name, before[name]?.configurable === false ? { value } : { value, configurable: true, writable: true });
   };
   const frames = [];
-  put("document", { createElement: (name) => new Part(name), activeElement: null, body: new Part("body") });
+  put("document", { createElement: (name) => new Part(name), activeElement: null, body: new Part("body"), querySelector: () => cover });
   put("matchMedia", () => ({ matches: false, addEventListener() {} }));
   put("addEventListener", () => {});
   put("devicePixelRatio", 1);
@@ -332,9 +334,9 @@ function withView(act) {
   const one = { symbol: "l", title: "", unit: "m", factor: 1, min: 0, max: 2, effort: { name: "force", unit: "N", factor: 1 } };
   const asked = [];
   const live = {
-    home: [1], coordinates: [{ ...one, symbol: "x" }], actuators: [one], load: {},
-    at: (x) => ({ x, reachable: true, actuators: x, forces: [0], margins, condition: 1, bodies: posesAt(sample(), -1) }),
-    solve: (lengths) => (asked.push(lengths), lengths),
+    home: [1], coordinates: [{ ...one, symbol: "x" }], actuators: [{ ...one, ...actuator }], load: {},
+    at: (x) => ({ x, reachable: Math.abs(x[0]) < 7, actuators: actuator.rotary ? [Math.atan2(Math.sin(x[0]), Math.cos(x[0]))] : x, forces: [0], margins, condition: 1, bodies: posesAt(sample(), -1) }),
+    solve: (lengths, from, how) => (asked.push(lengths), lengths[0] > 2.5 && !actuator.rotary ? ((how.why = "singular"), null) : lengths),
   };
   const section = new Part("section");
   try {
@@ -345,6 +347,7 @@ function withView(act) {
     for (const [name, was] of Object.entries(before)) was ? Object.defineProperty(globalThis, name, was) : delete globalThis[name];
   }
 }
+const cover = { src: "data:,", alt: "the machine" };
 const called = (label) => (part) => part.attributes["aria-label"] === label;
 const saying = (text) => (part) => part.name === "button" && part.textContent === text;
 
@@ -389,5 +392,77 @@ test("words typed in place of a number move nothing, and the number comes back",
     type("1,5");
     assert.deepEqual(asked, [[1.5]]);
     assert.equal(numberTyped(number.value), 1.5);
+  });
+});
+
+// Types into a field as a reader does, and answers with what stands beside it then.
+function typing(find, label) {
+  const number = find(called(label + ", as a number")), cell = find((part) => part.children.includes(number));
+  const remark = cell.find(({ attributes }) => attributes.class === "remark");
+  const type = (text) => {
+    number.focus();
+    number.value = text;
+    number.tell("input");
+    number.tell("change");
+    return remark.textContent;
+  };
+  return { number, remark, type };
+}
+
+test("what a field does not take is told beside it until something else is asked for", () => {
+  withView((find) => {
+    find(saying("By hand")).tell("click");
+    const { number, remark, type } = typing(find, "l in m"), other = typing(find, "x in m");
+    assert.equal(type("a metre"), "“a metre”: no number");
+    assert.equal(number.attributes["aria-invalid"], "true");
+    number.tell("input");
+    assert.equal(remark.textContent, "");
+    assert.equal(number.attributes["aria-invalid"], "false");
+    assert.equal(type("2,75"), "“2,75”: a singular pose is in the way");
+    assert.equal(numberTyped(number.value), 1);
+    assert.equal(other.type("8"), "“8”: out of reach");
+    assert.equal(other.number.attributes["aria-invalid"], "true");
+    assert.equal(type("1.5"), "");
+    assert.equal(other.remark.textContent, "");
+    assert.equal(other.number.attributes["aria-invalid"], "false");
+  });
+});
+
+test("Escape takes back what was typed, and asks for nothing", () => {
+  withView((find, asked) => {
+    find(saying("By hand")).tell("click");
+    const { number, remark } = typing(find, "l in m"), before = number.value;
+    number.focus();
+    number.value = "1.9";
+    number.tell("input");
+    number.tell("keydown", { key: "Escape" });
+    assert.equal(number.value, before);
+    assert.equal(remark.textContent, "");
+    assert.equal(document.activeElement, null);
+    assert.deepEqual(asked, []);
+  });
+});
+
+test("an angle that loses whole turns says so, any other says nothing", () => {
+  assert.equal(turnsTold(400, 40), "400\u202f° is 40\u202f° and a turn");
+  assert.equal(turnsTold(-700, 20), "−700\u202f° is 20\u202f° less 2 turns");
+  assert.equal(turnsTold(40, 40.000001), "");
+  withView((find) => {
+    find(saying("By hand")).tell("click");
+    const { type } = typing(find, "l in °");
+    assert.equal(type("370"), "370\u202f° is 10\u202f° and a turn");
+    assert.equal(type("10"), "");
+  }, { rotary: true, unit: "°", factor: 180 / Math.PI });
+});
+
+test("where the graphics card is lost the still picture stands in, until it is back", () => {
+  withView((find) => {
+    const canvas = find(({ name }) => name === "canvas"), lost = () => find(({ attributes }) => attributes.class === "view-lost");
+    assert.equal(lost(), null);
+    canvas.tell("webglcontextlost");
+    assert.match(lost().find(({ name }) => name === "p").textContent, /lost its connection to the graphics card.* The picture shows the machine at home\.$/);
+    assert.equal(lost().find(({ name }) => name === "img").attributes.src, cover.src);
+    canvas.tell("webglcontextrestored");
+    assert.equal(lost(), null);
   });
 });

@@ -1,7 +1,9 @@
 // Where pages end: the layout's own numbers, on items of which the best order is plain to see, and on whole documents.
 #include <reports/document/pdf/pdf_breaks.hpp>
 #include <reports/document/pdf/pdf_compose.hpp>
+#include <reports/document/write.hpp>
 #include <tests/document/pdf/pdf_sample.hpp>
+#include <tests/document/pdf/pdf_tools.hpp>
 #include <tests/document/sample.hpp>
 
 #include <fmt/format.h>
@@ -43,8 +45,12 @@ struct Story {
   Story& rows(int n, double height, double reluctance) {
     ++blocks;
     for (int i = 0; i < n; ++i)
-      items.push_back(
-          {.height = height, .reluctance = i + 1 < n ? reluctance : 0, .block = blocks, .section = sections, .head = i > 0 ? height : 0});
+      items.push_back({.height = height,
+                       .reluctance = i + 1 < n ? reluctance : 0,
+                       .block = blocks,
+                       .section = sections,
+                       .stands_in = true,
+                       .head = i > 0 ? height : 0});
     return *this;
   }
   std::vector<Sheet> sheets() const { return break_pages(items, tall); }
@@ -101,10 +107,37 @@ TEST_CASE("gaps open where a page would else be mostly white, and only as far as
 
 TEST_CASE("a figure does not slip behind a paragraph to leave its section's introduction alone") {
   Story s;
-  s.text(750).section().text(50, never).text(50, parted).figure(600).text(50);
-  s.items.back().text = true;
-  s.text(700);
+  s.text(750).section().text(50, never).text(50, parted).figure(600).text(50).text(700);
   CHECK(s.sheets()[0].items == std::vector<std::size_t>{0});
+}
+
+TEST_CASE("a table may stand in for a section's first figure, evidence may not") {
+  Story by_table;
+  by_table.text(500).section().text(50, never).text(50, parted).figure(600).rows(6, 50, split_small).text(700);
+  CHECK(by_table.sheets()[0].items.size() == 3 + 6);
+  Story by_evidence = by_table;
+  for (Item& i : by_evidence.items) i.stands_in = false;
+  CHECK(by_evidence.sheets()[0].items == std::vector<std::size_t>{0});
+
+  // The same of a whole document, wherever on its page the section begins.
+  Report r = sample::report();
+  const Section with_figure = *std::ranges::find_if(r.sections, [](const Section& s) {
+    return std::ranges::any_of(s.blocks, [](const Block& b) { return std::holds_alternative<pmreport::figure::Figure>(b); });
+  });
+  const auto shown =
+      std::ranges::find_if(with_figure.blocks, [](const Block& b) { return std::holds_alternative<pmreport::figure::Figure>(b); });
+  const Proof proof{{{"it holds", "by two ways", 0, 1, ""}, {"so does this", "by two ways", 0, 1, ""}}};
+  for (int lines = 16; lines <= 40; lines += 4) {
+    r.sections = {{"before", "", "Before", {}},
+                  {"after", "", "After", {Paragraph{{}, "An introduction."}, *shown, Paragraph{{}, "A remark."}, proof}}};
+    for (int i = 0; i < lines; ++i) r.sections[0].blocks.push_back(Paragraph{{}, "A line."});
+    const auto text = sample::ask("pdftotext -layout {} -", to_pdf(r));
+    if (!text) return;
+    CAPTURE(lines, *text);
+    const std::size_t evidence = text->find("Evidence\n");
+    REQUIRE(evidence != std::string::npos);
+    CHECK(text->find("Figure 1.") < evidence);
+  }
 }
 
 TEST_CASE("a figure never leaves its section, and never overtakes another") {

@@ -18,12 +18,19 @@ namespace {
 constexpr double pi = std::numbers::pi, deg = pi / 180;
 
 // A platform that goes up and down on three telescopes, and a wall of the base beside it: `wall` tells on which side, 0 nowhere, 1 towards
-// the isometric camera, 2 all round.
+// the isometric camera, 2 all round; 3 a thin post towards a camera at `azimuth`.
+// Where no telescope stands before the middle: they are at 0.3 and thirds of a turn from there.
+constexpr double between_limbs = 0.3 + pi / 2 + 30 * deg;
+
+Vector3d post_at(double azimuth) { return {0.6 * std::sin(azimuth), -0.6 * std::cos(azimuth), 0.5}; }
+
 class Booth : public Mechanism<1> {
  public:
   static constexpr const char *name = "booth", *title = "booth", *source = "this test";
-  static constexpr Parameter parameters[] = {Parameter::number("wall", 0, {0, 2}, "", "", "side")};
-  explicit Booth(const Parameters& p) : wall_(p["wall"]) {}
+  static constexpr Parameter parameters[] = {
+      Parameter::number("wall", 0, {0, 3}, "", "", "side"),
+      Parameter::number("azimuth", 0, {-4, 4}, "rad", "deg", "of the camera that a post is towards")};
+  explicit Booth(const Parameters& p) : wall_(p["wall"]), azimuth_(p["azimuth"]) {}
 
   Topology topology() const {
     Topology t;
@@ -41,6 +48,7 @@ class Booth : public Mechanism<1> {
     t.shapes.push_back({0, ShapeKind::box, {0, 0, -0.02}, {0.5, 0.5, 0.02}, 0});
     const double far = 0.45;
     if (wall_ == 1) t.shapes.push_back({0, ShapeKind::box, {far, -far, 0.5}, {0.3, 0.3, 0.5}, 0});
+    if (wall_ == 3) t.shapes.push_back({0, ShapeKind::box, post_at(azimuth_), {0.012, 0.012, 0.5}, 0});
     if (wall_ == 2)
       for (const double side : {-1.0, 1.0}) {
         t.shapes.push_back({0, ShapeKind::box, {side * far, 0, 0.5}, {0.02, far, 0.5}, 0});
@@ -67,12 +75,12 @@ class Booth : public Mechanism<1> {
   }
 
  private:
-  double wall_;
+  double wall_, azimuth_;
 };
 
 const mechanics::Machine& booth(int wall) {
-  static const mechanics::Machine open(contract::mechanism<Booth>, {{0}}), walled(contract::mechanism<Booth>, {{1}}),
-      closed(contract::mechanism<Booth>, {{2}});
+  static const mechanics::Machine open(contract::mechanism<Booth>, {{0}, {0}}), walled(contract::mechanism<Booth>, {{1}, {0}}),
+      closed(contract::mechanism<Booth>, {{2}, {0}});
   return wall == 0 ? open : wall == 1 ? walled : closed;
 }
 mechanics::Pose at_height(const mechanics::Machine& m, double z) { return m.pose({&z, 1}); }
@@ -150,6 +158,18 @@ TEST_CASE("a wall before the isometric camera sends it to a side from which more
   const auto seen = scene::visibility(m, {m.home_pose()}, bounds_of(m), {scene::isometric(), d});
   CHECK(seen[0] < 0.8 * seen[1]);
   CHECK(seen[1] <= 1);
+}
+
+TEST_CASE("a post before the middle counts, though it hides nothing of the limbs and little of the rest") {
+  const mechanics::Machine m(contract::mechanism<Booth>, {{3}, {between_limbs}});
+  const scene::Direction at_post{between_limbs, 35 * deg};
+  const auto seen = [&](const mechanics::Machine& of, const scene::Direction& from) {
+    return scene::visibility(of, {of.home_pose()}, bounds_of(m), {from}).front();
+  };
+  CHECK(seen(m, at_post) < seen(booth(0), at_post) - 0.03);
+  const scene::Direction aside = chosen(m);
+  CHECK(std::abs(std::remainder(aside.azimuth - at_post.azimuth, 2 * pi)) > 4 * deg);
+  CHECK(seen(m, aside) > seen(m, at_post));
 }
 
 TEST_CASE("a base that hides the limbs from a side is told to be in front there, and one that does not is not") {

@@ -1,6 +1,5 @@
 #include <reports/section/common/words/brackets.hpp>
 
-#include <core/text/units.hpp>
 #include <reports/section/common/words/words.hpp>
 
 #include <fmt/format.h>
@@ -59,9 +58,12 @@ std::string bracket_number(const Bounds& b, double per_si) {
 }
 
 std::string bracket(const Bounds& b, std::string_view unit) {
+  return bracket(b, display_unit(unit, std::max(std::abs(b.low), std::abs(b.high))));
+}
+
+std::string bracket(const Bounds& b, const DisplayUnit& in) {
   if (!b.bounded()) return "not known";
-  const DisplayUnit d = display_unit(unit, std::max(std::abs(b.low), std::abs(b.high)));
-  return bracket_number(b, d.per_si) + (d.label.empty() || d.label == "°" ? d.label : " " + d.label);
+  return bracket_number(b, in.per_si) + (in.label.empty() || in.label == "°" ? in.label : " " + in.label);
 }
 
 std::string instant_words(const Bounds& time) {

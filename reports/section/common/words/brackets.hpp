@@ -2,6 +2,7 @@
 #pragma once
 
 #include <core/program/intervals/bounds.hpp>
+#include <core/text/units.hpp>
 
 #include <string>
 #include <string_view>
@@ -19,6 +20,7 @@ Ends ends_of(const Bounds& b, double per_si);
 
 // "612.3841 … 612.3843 mm"; "550 mm" where both ends are that; "not known" where an end is infinite.
 std::string bracket(const Bounds& b, std::string_view unit);
+std::string bracket(const Bounds& b, const DisplayUnit& in);
 // The same without its unit, for a column of them.
 std::string bracket_number(const Bounds& b, double per_si);
 

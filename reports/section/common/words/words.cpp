@@ -12,19 +12,23 @@
 
 namespace pmreport::section {
 
-std::string show(double si, std::string_view unit, int digits) {
-  const DisplayUnit d = display_unit(unit, std::abs(si));
-  const std::string number = typeset(format_number(si * d.per_si, digits));
-  return d.label.empty() ? number : d.label == "°" ? number + "°" : number + " " + d.label;
+std::string show(double si, std::string_view unit, int digits) { return show(si, display_unit(unit, std::abs(si)), digits); }
+
+std::string show(double si, const DisplayUnit& in, int digits) {
+  const std::string number = typeset(format_number(si * in.per_si, digits));
+  return in.label.empty() ? number : in.label == "°" ? number + "°" : number + " " + in.label;
 }
 
 Apart show_apart(double value, double beside, std::string_view unit, int digits) {
+  return show_apart(value, beside, display_unit(unit, std::max(std::abs(value), std::abs(beside))), digits);
+}
+
+Apart show_apart(double value, double beside, const DisplayUnit& in, int digits) {
   constexpr int digits_of_difference = 2;
   const double largest = std::max(std::abs(value), std::abs(beside));
-  const DisplayUnit d = display_unit(unit, largest);
   const std::vector<std::string> both =
-      format_together({value * d.per_si, beside * d.per_si}, digits, digits_of_difference, noise_of(largest) * d.per_si);
-  const std::string behind = d.label.empty() || d.label == "°" ? d.label : " " + d.label;
+      format_together({value * in.per_si, beside * in.per_si}, digits, digits_of_difference, noise_of(largest) * in.per_si);
+  const std::string behind = in.label.empty() || in.label == "°" ? in.label : " " + in.label;
   return {typeset(both[0]) + behind, typeset(both[1]) + behind};
 }
 

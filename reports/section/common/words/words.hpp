@@ -12,11 +12,13 @@ namespace pmreport::section {
 
 // "812.4 mm": an SI value in the unit that reads best at its size.
 std::string show(double si, std::string_view unit, int digits = 4);
+std::string show(double si, const DisplayUnit& in, int digits = 4);  // in a unit that is chosen already
 // Two values that are told beside each other, in one unit and with the digits that set them apart: "1200.06 mm", "1200.00 mm".
 struct Apart {
   std::string value, beside;
 };
 Apart show_apart(double value, double beside, std::string_view unit, int digits = 4);
+Apart show_apart(double value, double beside, const DisplayUnit& in, int digits = 4);
 // "1.32 s", with as many decimals as the samples of the motion need.
 std::string show_time(const Analysis& a, int sample);
 // "l₁", "α", "ρ₃": a name of the program as a symbol of the field.
