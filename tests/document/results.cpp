@@ -104,9 +104,9 @@ TEST_CASE("a number that is not finite is null in results.json, and its status s
   CHECK(j["checks"][0]["status"] == "ok");
 }
 
-TEST_CASE("a hostile title is text in results.json, broken bytes replaced") {
+TEST_CASE("a hostile title is text in results.json, without controls, broken bytes replaced") {
   const json j = json::parse(to_json(hostile()));
-  CHECK(j["title"] == "<script>alert(1)</script> & \"]]>\" \x01\x1f\uFFFD");
+  CHECK(j["title"] == "<script>alert(1)</script> & \"]]>\" \uFFFD");
 }
 
 TEST_CASE("results.json is known again as a report's, other files are not") {

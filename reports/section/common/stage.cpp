@@ -160,12 +160,13 @@ Stage::Ordered Stage::overlay(const std::vector<int>& samples, const View& view,
   const scene::Camera camera = scene::frame(bounds_, from.azimuth, from.elevation, static_cast<double>(look.width) / look.height);
   const scene::Quality quality{look.width, look.height, look.transparent, 2, page_width};
   scene::Scene scene = scene::build(analysis_.machine(), overlay, extras);
-  const std::string caption =
-      fmt::format("The motion, {}: poses at t = {}, the first{} solid{}.", words(from), listed(times),
-                  returns ? ", to which it returns,"
-                  : alike ? ", near which it ends,"
-                          : " and the last",
-                  overlay.marks.empty() ? "" : "; the path of the platform with times along it" + left_out_words(scene, camera, quality));
+  const std::string caption = fmt::format("The motion, {}: poses at t = {}, the first{} solid{}.", words(from), listed(times),
+                                          returns ? ", to which it returns,"
+                                          : alike ? ", near which it ends,"
+                                                  : " and the last",
+                                          overlay.marks.empty() || !look.labels
+                                              ? ""
+                                              : "; the path of the platform with times along it" + left_out_words(scene, camera, quality));
   return {{id, caption, "", look.width, look.height}, studio_.take(std::move(scene), camera, quality, id, caption)};
 }
 
