@@ -208,7 +208,7 @@ TEST_CASE("reports that share nothing differ") {
 }
 
 TEST_CASE("no title of a report commands a terminal") {
-  document::Report b = report();
-  b.title = "\x1b[2J\nhello\tyou";
-  CHECK_THAT(text_of(report(), b), Contains("?[2J?hello you"));
+  auto both = results({report(), report()});
+  both[1].title = "\x1b[2J\nhello\tyou";
+  CHECK_THAT(compare::to_text(compare::compare(both, {})), Contains("?[2J?hello you"));
 }

@@ -34,7 +34,9 @@ constexpr float ghost_base = 0.22F;  // opacity
 std::string left_out_words(const scene::Scene& scene, const scene::Camera& camera, const scene::Quality& quality) {
   auto left = std::ranges::count_if(scene.labels, &scene::Label::optional);
   for (const scene::LabelSpot& spot : scene::find_spots(scene, camera, quality)) left -= scene.labels[spot.index].optional ? 1 : 0;
-  return left == 0 ? "" : fmt::format(", {} of the dots without one for want of room", left);
+  return left == 0   ? ""
+         : left == 1 ? ", but for 1 dot that has no room for it"
+                     : fmt::format(", but for {} dots that have no room for them", left);
 }
 
 }  // namespace

@@ -93,6 +93,18 @@ TEST_CASE("the poses of a motion are laid over one another, as many as are asked
   CHECK(caption("overlay = 0\n").empty());
 }
 
+TEST_CASE("times along a path that have no room are told to be left out") {
+  const auto caption = [](const std::string& view, const std::string& more = "") {
+    const auto r = of_gantry("[[section]]\nkind = \"snapshots\"\noverlay = 2\nviews = [\"" + view + "\"]\n" + more + small);
+    return pictures_of(section_of(r, "snapshots")).at(1).caption;
+  };
+  CHECK_THAT(caption("front"), Catch::EndsWith("the path of the platform with times along it."));
+  // Seen along its way all dots are one.
+  CHECK_THAT(caption("side"),
+             Catch::Matches(".*with times along it, but for (1 dot that has|[2-9] dots that have) no room for (it|them)\\."));
+  CHECK_THAT(caption("side", "labels = false\n"), Catch::EndsWith(" solid."));
+}
+
 TEST_CASE("loads are told with their size, and to which scale they are drawn") {
   const auto gallery = [](const std::string& load) {
     const auto r = of_gantry(load + "[[section]]\nkind = \"snapshots\"\nviews = [\"front\"]\noverlay = 0\n" + small);
