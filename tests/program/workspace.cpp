@@ -114,14 +114,21 @@ TEST_CASE("mistakes in a workspace are told together, each with what to do") {
   CHECK_FALSE(std::filesystem::exists(here.report_folder()));
 }
 
-TEST_CASE("a grid of 10^12 poses is refused as too large, with what to do") {
+TEST_CASE("a grid of 10^12 points, or of too many poses, is refused as too large, with what to do") {
   const Workshop here;
-  const Result result =
+  const Result points =
       here.report(scenario("gough",
                            "method = \"grid\"\nscan = { x = [\"-1 m\", \"1 m\", 10000], y = [\"-1 m\", \"1 m\", 10000], z = "
                            "[\"0.5 m\", \"1.5 m\", 10000] }\n"));
-  CHECK(result.status == 5);
-  CHECK_THAT(result.err, Contains("1e+12 poses") && Contains("use method"));
+  CHECK(points.status == 5);
+  CHECK_THAT(points.err, Contains("1e+12 points") && Contains("ask for fewer values on its axes"));
+  const std::string turns = "[\"-9 deg\", \"9 deg\", 30]";
+  const Result poses = here.report(scenario("gough",
+                                            "method = \"grid\"\nscan = { x = [\"-1 m\", \"1 m\", 200], y = [\"-1 m\", \"1 m\", 200], z = "
+                                            "[\"0.5 m\", \"1.5 m\", 200] }\norientations = { alpha = " +
+                                                turns + ", beta = " + turns + ", gamma = " + turns + " }\n"));
+  CHECK(poses.status == 5);
+  CHECK_THAT(poses.err, Contains("2.16e+11 poses") && Contains("use method"));
   CHECK_FALSE(std::filesystem::exists(here.report_folder()));
 }
 
