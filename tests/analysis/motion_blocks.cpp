@@ -1,14 +1,20 @@
 // A motion in blocks: the same numbers whoever computes them, all at once, by several processes, or again after an interruption.
 #include <core/analysis/analysis.hpp>
+#include <core/analysis/samples/evenly.hpp>
+#include <core/analysis/samples/motion_blocks.hpp>
 #include <core/chunks/chunk_folder.hpp>
 #include <tests/host/fixtures/temporary.hpp>
 #include <tests/section/gantry.hpp>
 
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -196,4 +202,21 @@ TEST_CASE("a motion is asked within its blocks whether to stop") {
     if (++asked_for == 100) throw Stop();
   };
   CHECK_THROWS_AS(Analysis(motion.loaded.scenario, motion.loaded.trajectory, *motion.loaded.machine, asked, progress), Stop);
+}
+
+TEST_CASE("blocks that each know their share of evenly spread samples have together those of the whole motion") {
+  using analysis::evenly, analysis::evenly_before;
+  constexpr std::size_t wanted = 16, block = analysis::MotionBlocks::size;
+  for (const std::size_t n : {1u, 15u, 16u, 17u, 4096u, 4097u, 10'000u, 100'001u}) {
+    CAPTURE(n);
+    std::vector<std::size_t> all(n);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const std::vector<std::size_t> chosen = evenly(all, wanted);
+    CHECK(chosen.size() == std::min(n, wanted));
+    CHECK(std::ranges::adjacent_find(chosen, std::greater_equal()) == chosen.end());
+    for (std::size_t first = 0; first < n; first += block)
+      CHECK(evenly_before(first + block, n, wanted) - evenly_before(first, n, wanted) ==
+            static_cast<std::size_t>(std::ranges::count_if(chosen, [&](std::size_t k) { return k >= first && k < first + block; })));
+  }
+  CHECK(evenly(std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7, 8}, 3) == std::vector<int>{1, 4, 7});
 }

@@ -15,4 +15,12 @@ std::vector<T> evenly(const std::vector<T>& of, std::size_t wanted) {
   return out;
 }
 
+// How many of them are before `end` in a list of n: a part of the list knows its share by itself.
+inline std::size_t evenly_before(std::size_t end, std::size_t n, std::size_t wanted) {
+  const std::size_t count = std::min(n, wanted);
+  std::size_t out = 0;
+  while (out < count && (2 * out + 1) * n / (2 * count) < end) ++out;
+  return out;
+}
+
 }  // namespace pmreport::analysis

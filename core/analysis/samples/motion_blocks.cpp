@@ -43,14 +43,6 @@ std::vector<ColumnId> columns_of(const scenario::Scenario& scenario, const mecha
   return out;
 }
 
-// How many of so many samples that are spread evenly over the whole motion are among the first `end`.
-std::size_t judged_before(std::size_t end, std::size_t wanted, std::size_t samples) {
-  const std::size_t count = std::min(wanted, samples);
-  std::size_t out = 0;
-  while (out < count && (2 * out + 1) * samples / (2 * count) < end) ++out;
-  return out;
-}
-
 }  // namespace
 
 struct MotionBlocks::Part {
@@ -119,7 +111,7 @@ void MotionBlocks::forces(Part& part) {
   MotionAnswers& a = part.answers;
   // Of all samples of the motion that a second way judges those that fall to this block, spread over those that have forces.
   constexpr std::size_t judged = 16;
-  const std::size_t here = judged_before(part.first + part.size(), judged, samples_) - judged_before(part.first, judged, samples_);
+  const std::size_t here = evenly_before(part.first + part.size(), samples_, judged) - evenly_before(part.first, samples_, judged);
   std::vector<SampleForces::Order> orders;
   std::vector<std::size_t> numbers;
   for (std::size_t k = 0; k < part.size(); ++k) {
