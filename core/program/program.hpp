@@ -73,8 +73,11 @@ class Program {
   static constexpr std::size_t most_steps = 1 << 16;
 
   int inputs() const { return inputs_; }
-  std::span<const Step> steps() const { return steps_; }
-  std::span<const int> outputs() const { return outputs_; }  // steps
+  // Not of a program that is gone at the end of the expression: a loop over them would run through freed memory.
+  std::span<const Step> steps() const& { return steps_; }
+  std::span<const Step> steps() const&& = delete;
+  std::span<const int> outputs() const& { return outputs_; }  // steps
+  std::span<const int> outputs() const&& = delete;
   bool operator==(const Program&) const = default;
 
   // The program of some of its outputs, by their numbers, in that order.

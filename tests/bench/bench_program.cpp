@@ -51,7 +51,10 @@ void print_sizes(const std::string& name) {
   for (int k = 0; k < (repetitions + 1) * calls; ++k) fresh.push_back(machine.with(machine.values()));
   std::size_t next = 0;
   const Timing record = time_calls(repetitions, calls, [&](int) { return double(fresh[next++]->program()->steps().size()); });
-  const Timing partial = time_calls(repetitions, calls, [&](int) { return double(program::partials(all, by).steps().size()); });
+  const Timing partial = time_calls(repetitions, calls, [&](int) {
+    const Program partials = program::partials(all, by);
+    return double(partials.steps().size());
+  });
   fmt::print("{:14} {:7}", name, machine.layout().size() + 36);
   for (const Program* p : {&all, &strokes})
     fmt::print("   {:5} {:5} {:5} {:5}", operations(*p), operations(program::in_time(*p, 1)), operations(program::in_time(*p, 2)),

@@ -80,7 +80,8 @@ TEST_CASE("a program has what its outputs need, and nothing else") {
   CHECK(p.steps()[0] == x1);
   CHECK(p.steps()[1] == Step{Operation::cos, 0, 0, 0, 0});
   CHECK(p.inputs() == 2);
-  CHECK(Program().steps().empty());
+  const Program nothing;
+  CHECK(nothing.steps().empty());
 }
 
 TEST_CASE("a slice gives the outputs that were asked for, in that order, and is smaller") {

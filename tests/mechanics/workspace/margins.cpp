@@ -84,7 +84,8 @@ TEST_CASE("an angle that counts from elsewhere keeps its limits by sine and cosi
   for (const auto& [min, max] : {std::pair{-0.7, 1.3}, {0.4, 2.0}, {1.6, 3.0}}) {
     const auto record = [](const Recorded& x, const Recorded& y) { return pi / 2 - atan2(y, x); };
     check(min, max, 2, record, angle);
-    for (const program::Step& s : margins_of(min, max, record).program.steps()) CHECK(s.operation != program::Operation::atan2);
+    const PoseMargins margins = margins_of(min, max, record);
+    for (const program::Step& s : margins.program.steps()) CHECK(s.operation != program::Operation::atan2);
   }
   // Beyond half a turn the angle itself is looked at.
   check(
@@ -96,7 +97,8 @@ TEST_CASE("a length keeps its limits by its square") {
   const auto value = [](double x, double y) { return std::hypot(x, y); };
   check(0.4, 1.1, 2, record, value);
   check(-1.0, 1.1, 2, record, value);  // no length is below zero
-  for (const program::Step& s : margins_of(0.4, 1.1, record).program.steps()) CHECK(s.operation != program::Operation::sqrt);
+  const PoseMargins margins = margins_of(0.4, 1.1, record);
+  for (const program::Step& s : margins.program.steps()) CHECK(s.operation != program::Operation::sqrt);
 }
 
 TEST_CASE("an angle between directions keeps its limits by its cosine") {
