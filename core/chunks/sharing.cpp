@@ -91,7 +91,7 @@ class Run {
 
  private:
   std::optional<Bytes> find(std::size_t chunk) const {
-    if (!folder_ || !sharing_.known) return std::nullopt;
+    if (!folder_ || (!sharing_.known && sharing_.computes)) return std::nullopt;
     bool damaged = false;
     std::optional<Bytes> out = folder_->load(chunk, damaged);
     if (sharing_.account != nullptr) {

@@ -53,7 +53,7 @@ struct Account {
 struct Sharing {
   std::filesystem::path folder = {};  // where chunks are kept; empty: nowhere
   std::uint64_t of_run = 0;           // a hash of what decides all answers of the run: which program, which mechanism
-  bool known = false;                 // chunks that are there already count
+  bool known = false;                 // chunks that are there already count; where none are computed they always do
   bool computes = true;               // chunks that are missing are computed; else that is an error, but of work that everyone needs
   Dealer* dealer = nullptr;           // of work that is shared; null: all of it is done here
   Account* account = nullptr;

@@ -11,6 +11,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <sstream>
 #include <string_view>
 
 namespace pmreport::program {
@@ -144,11 +145,14 @@ std::variant<Options, int> read_command_line(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    const int status = app.exit(e);
+    std::ostringstream asked, wrong;
+    const int status = app.exit(e, asked, wrong);
+    put("{}", asked.str());
+    tell_text(wrong.str());
     return status == 0 ? all_well : bad_scenario;
   }
   if (*completion_command || *man_command) {
-    fmt::print("{}", *man_command ? manual(spoken(app), PMREPORT_VERSION) : completion(spoken(app), shell));
+    put("{}", *man_command ? manual(spoken(app), PMREPORT_VERSION) : completion(spoken(app), shell));
     return all_well;
   }
   if (*describe_command || *new_mechanism_command || *schema_command || *new_scenario_command) options.names = {name};

@@ -18,7 +18,10 @@ void tell_text(const std::string& text) {
   if (!told_by_others) std::fputs(text.c_str(), stderr);
 }
 
-void leave_telling_to_others(bool leave) { told_by_others = leave; }
+void leave_telling_to_others(bool leave) {
+  told_by_others = leave;
+  if (leave) apart = std::fopen("/dev/null", "w");
+}
 
 std::FILE* results() { return apart != nullptr ? apart : stdout; }
 

@@ -118,6 +118,8 @@ TEST_CASE("what is there already is not computed again, and what is missing is")
   Sharing anew = kept_in(here.path());
   anew.known = false;
   CHECK(run_squares(anew).computed == count);
+  anew.computes = false;
+  CHECK(run_squares(anew).computed == 0);
 }
 
 TEST_CASE("a chunk of which any byte is another, that ends early or goes on is computed again") {

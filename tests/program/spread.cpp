@@ -18,13 +18,32 @@ namespace {
 const std::string everything = bytes_of(fs::path(SOURCE) / "tests/data/spread.toml");
 const std::string parallel_program = std::string(PROGRAM) + "-mpi";
 
-Result ranks(const Workshop& here, int count, std::vector<std::string> arguments) {
+std::vector<std::string> command_of_ranks(int count, const std::vector<std::string>& arguments) {
   std::vector<std::string> command{"mpiexec", "-n", std::to_string(count), parallel_program};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  return run(command, {.environment = {{"OMPI_ALLOW_RUN_AS_ROOT", "1"},
-                                       {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"},
-                                       {"OMPI_MCA_rmaps_base_oversubscribe", "1"}},
-                       .folder = here.path()});
+  return command;
+}
+Surroundings surroundings_of_ranks(const Workshop& here) {
+  return {
+      .environment = {{"OMPI_ALLOW_RUN_AS_ROOT", "1"}, {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"}, {"OMPI_MCA_rmaps_base_oversubscribe", "1"}},
+      .folder = here.path()};
+}
+Result ranks(const Workshop& here, int count, const std::vector<std::string>& arguments) {
+  return run(command_of_ranks(count, arguments), surroundings_of_ranks(here));
+}
+
+// Until some chunks of the report r are kept.
+void wait_for_chunks(const Workshop& here) {
+  const auto kept = [&] {
+    std::size_t n = 0;
+    std::error_code gone;
+    for (auto it = fs::recursive_directory_iterator(here / "r.chunks", gone); !gone && it != fs::recursive_directory_iterator();
+         it.increment(gone))
+      n += it->is_regular_file();
+    return n;
+  };
+  for (int k = 0; k < 2000 && kept() < 4; ++k) usleep(10'000);
+  REQUIRE(kept() >= 4);
 }
 
 // The last of the program's processes that work in this folder.
@@ -118,22 +137,8 @@ TEST_CASE("a rank that is killed costs its chunk alone") {
   if (!fs::exists(parallel_program)) return;
   const Workshop here;
   here.write("s.toml", with(everything, {{"61] }", "261] }"}}));
-  std::vector<std::string> command{"mpiexec", "-n", "3", parallel_program, "s.toml", "-o", "r"};
-  Process process(command, {.environment = {{"OMPI_ALLOW_RUN_AS_ROOT", "1"},
-                                            {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"},
-                                            {"OMPI_MCA_rmaps_base_oversubscribe", "1"}},
-                            .folder = here.path()});
-  // Once something is kept, one of the three dies.
-  const auto kept = [&] {
-    std::size_t n = 0;
-    std::error_code gone;
-    for (auto it = fs::recursive_directory_iterator(here / "r.chunks", gone); !gone && it != fs::recursive_directory_iterator();
-         it.increment(gone))
-      n += it->is_regular_file();
-    return n;
-  };
-  for (int k = 0; k < 2000 && kept() < 4; ++k) usleep(10'000);
-  REQUIRE(kept() >= 4);
+  Process process(command_of_ranks(3, {"s.toml", "-o", "r"}), surroundings_of_ranks(here));
+  wait_for_chunks(here);
   REQUIRE(kill(a_rank_in(here.path()), SIGKILL) == 0);
   CHECK(process.finish().status != 0);
   CHECK_FALSE(fs::exists(here / "r"));
@@ -142,6 +147,48 @@ TEST_CASE("a rank that is killed costs its chunk alone") {
   REQUIRE(rerun.status == 0);
   REQUIRE(pmreport({"s.toml", "-o", "alone"}, {.folder = here.path()}).status == 0);
   CHECK(contents(here / "r") == contents(here / "alone"));
+}
+
+TEST_CASE("ranks that are told to end leave the earlier report as it was, and what they have found to the next run") {
+  if (!fs::exists(parallel_program)) return;
+  const Workshop here;
+  here.write("s.toml", everything);
+  REQUIRE(pmreport({"s.toml", "-o", "r"}, {.folder = here.path()}).status == 0);
+  const auto earlier = contents(here / "r");
+  here.write("s.toml", with(everything, {{"61] }", "261] }"}}));
+  for (const int signal : {SIGINT, SIGTERM}) {
+    fs::remove_all(here / "r.chunks");
+    Process process(command_of_ranks(2, {"s.toml", "-o", "r"}), surroundings_of_ranks(here));
+    wait_for_chunks(here);
+    process.send(signal);
+    const Result ended = process.finish();
+    INFO(ended.out << ended.err);
+    CHECK(ended.status != 0);
+    CHECK(contents(here / "r") == earlier);
+    for (const auto& e : fs::directory_iterator(here.path()))
+      CHECK((e.path().filename() == "r" || e.path().filename() == "r.chunks" || e.path().filename() == "s.toml"));
+  }
+  const Result rerun = ranks(here, 2, {"s.toml", "-o", "r"});
+  INFO(rerun.out << rerun.err);
+  CHECK(rerun.status == 0);
+  CHECK_THAT(rerun.err, Contains("chunks"));
+  CHECK_FALSE(fs::exists(here / "r.chunks"));
+}
+
+TEST_CASE("what all ranks would say one says") {
+  if (!fs::exists(parallel_program)) return;
+  const Workshop here;
+  const auto times = [](const std::string& words, const std::string& part) {
+    std::size_t n = 0;
+    for (std::size_t at = words.find(part); at != std::string::npos; at = words.find(part, at + 1)) ++n;
+    return n;
+  };
+  const Result wrong = ranks(here, 3, {"s.toml", "--no-such-option"});
+  CHECK(wrong.status == 2);
+  CHECK(times(wrong.out + wrong.err, "--no-such-option") == 1);
+  const Result help = ranks(here, 3, {"--help"});
+  CHECK(help.status == 0);
+  CHECK(times(help.out + help.err, "--max-memory") == 1);
 }
 
 TEST_CASE("a shard is one of its number, and of a report alone") {
