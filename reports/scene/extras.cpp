@@ -12,11 +12,11 @@ using Eigen::Vector3d;
 
 constexpr float seen_through = 0.35f;
 
-void add_arrow(Scene& scene, const Vector3d& tail, const Vector3d& tip, double radius, const Color& color) {
+void add_arrow(Scene& scene, const Vector3d& tail, const Vector3d& tip, double radius, const Color& color, float hidden = seen_through) {
   const Vector3d along = (tip - tail).normalized();
   const double length = (tip - tail).norm(), head = std::min(5.5 * radius, 0.5 * length);
-  scene.solids.push_back(cylinder(tail, tip - 0.95 * head * along, radius, color, seen_through));
-  scene.solids.push_back(cone(tip - head * along, tip, 2.3 * radius, color, seen_through));
+  scene.solids.push_back(cylinder(tail, tip - 0.95 * head * along, radius, color, hidden));
+  scene.solids.push_back(cone(tip - head * along, tip, 2.3 * radius, color, hidden));
 }
 
 // Three quarters of a turn about `axis`, right-handed, ending in a head.
@@ -79,6 +79,20 @@ void add_screw(Scene& scene, const Screw& screw, const Vector3d& platform, const
   scene.labels.push_back({end + 0.04 * sizes.overall * d, screw.label, screw.color, 0});
 }
 
+// Each begins at the centre of its joint, so that arrows of one scale compare; the platform's own load is drawn by the same scale. Many lie
+// within their limbs: one colour that no limb has, and that limbs hardly hide.
+void add_joint_forces(Scene& scene, const mechanics::Machine& machine, const mechanics::Pose& pose, const Sizes& sizes,
+                      const Extras& extras) {
+  constexpr float hardly_hidden = 0.8f;
+  for (const JointForce& f : extras.joint_forces) {
+    if (!(f.force.norm() > 0) || !(extras.full_force > 0)) continue;
+    const Vector3d at = machine.centre(pose, f.joint), along = f.force.normalized();
+    const double length = longest_force * sizes.overall * std::min(1.0, f.force.norm() / extras.full_force);
+    add_arrow(scene, at, at + length * along, 0.0065 * sizes.overall, palette::reaction, hardly_hidden);
+    if (!f.label.empty()) scene.labels.push_back({at + (length + 0.03 * sizes.overall) * along, f.label, palette::reaction, 0});
+  }
+}
+
 }  // namespace
 
 void include(Bounds& bounds, const mechanics::Machine& machine, const mechanics::Pose& pose, const Screw& screw) {
@@ -131,6 +145,7 @@ void add_extras(Scene& scene, const mechanics::Machine& machine, const mechanics
     add_turn(scene, centre, axis, (0.025 + 0.035 * share) * sizes.overall, 0.8 * r, palette::load);
     scene.labels.push_back({centre + 0.095 * sizes.overall * out, extras.moment_label, palette::load, 0});
   }
+  add_joint_forces(scene, machine, pose, sizes, extras);
   for (const Screw& screw : extras.screws) add_screw(scene, screw, p, outer, sizes);
 }
 

@@ -22,7 +22,7 @@ namespace palette {  // joints differ in lightness as well as in hue
 inline constexpr Color base = rgb(0x66727f), platform = rgb(0x4d86bd), post = rgb(0x6d7884), tube = rgb(0x8f979f), rod = rgb(0xd4d9dd);
 inline constexpr Color spherical = rgb(0xec9a2c), revolute = rgb(0x1f9e7a), universal = rgb(0xc777a8), cylindrical = rgb(0x5fb4e3);
 inline constexpr Color x = rgb(0xc8342b), y = rgb(0x2f8f3c), z = rgb(0x2a5fc4);
-inline constexpr Color load = rgb(0x8f1d78), path = rgb(0xd2560a), ink = rgb(0x1c232c);
+inline constexpr Color load = rgb(0x8f1d78), path = rgb(0xd2560a), ink = rgb(0x1c232c), reaction = rgb(0xc3102f);
 }  // namespace palette
 
 // Whose curve a body is coloured by: the actuator, -1 none, and whether this body is the one that it moves.

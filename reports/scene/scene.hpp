@@ -91,6 +91,13 @@ struct Screw {
   Color color;
 };
 
+// A force that is drawn at a joint's centre, to the scale of the load, and is seen through bodies.
+struct JointForce {
+  int joint = 0;
+  Eigen::Vector3d force{0, 0, 0};  // [N], base axes
+  std::string label;               // empty: none
+};
+
 // What else is drawn at a snapshot.
 struct Extras {
   std::vector<Eigen::Vector3d> path;                // of the platform's reference point over the motion
@@ -100,6 +107,7 @@ struct Extras {
   bool labels = true, joint_names = true, frames = true;  // without labels nothing has a name
   std::vector<std::string> drives;                        // names of the actuators, where they are not to be those of the topology
   float base_opacity = 1;                                 // below 1: the base is a ghost, that hides nothing
+  std::vector<JointForce> joint_forces;
   std::vector<Screw> screws;
   std::vector<Surface> surfaces;
   std::vector<Polyline> lines;

@@ -179,6 +179,20 @@ Stage::Ordered Stage::picture_at_home(const View& view, const Look& look, const 
                  {look.width, look.height, look.transparent, 2, look.printed});
 }
 
+Stage::Ordered Stage::forces(int sample, std::vector<scene::JointForce> forces, double full, const std::string& id,
+                             const std::string& caption) const {
+  const View view = main_view();
+  Look look;
+  look.frames = false;
+  scene::Extras extras = extras_of(look);
+  extras.joint_names = false;  // the arrows have them
+  extras.force = analysis_.scenario().load.force[static_cast<std::size_t>(sample)];
+  extras.force_label = "load " + show(extras.force.norm(), "N", 3);
+  extras.full_force = full;
+  extras.joint_forces = std::move(forces);
+  return picture(analysis_.machine(), analysis_.pose(sample), extras, bounds_, view, id, caption, {1600, 1200, false, 2, page_width});
+}
+
 Stage::Ordered Stage::portrait(const std::string& id) const {
   const scene::Quality quality{1200, 900, false, 2, page_width};
   const mechanics::Machine& machine = analysis_.machine();

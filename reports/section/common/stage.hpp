@@ -49,8 +49,10 @@ class Stage {
   Ordered picture(int sample, const View& view, const Look& look, const std::string& id) const;
   // The poses at these samples over one another, the path with the time at several of its points, and no load.
   Ordered overlay(const std::vector<int>& samples, const View& view, const Look& look, const std::string& id) const;
-  // The same of the home pose; without path and load, which are of a motion.
+  // The home pose; without path and load, which are of a motion.
   Ordered picture_at_home(const View& view, const Look& look, const std::string& id) const;
+  // The pose of a sample with its load and these forces at joints, all to one scale: `full` [N] is the longest arrow.
+  Ordered forces(int sample, std::vector<scene::JointForce> forces, double full, const std::string& id, const std::string& caption) const;
   Ordered portrait(const std::string& id) const;  // the home pose, with labels and frames
   // The home pose as a line drawing, in the view of the portrait.
   document::Picture diagram(const std::string& id) const;

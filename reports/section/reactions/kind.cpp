@@ -35,11 +35,11 @@ const SectionKind& reactions_kind() {
        .purpose = "the wrench in every joint over the motion, and how far rigid bodies determine it",
        .keys = {keys::of<ReactionsOptions>("joints", Shape::list(1, std::numeric_limits<std::size_t>::max(), Shape::name_of("joints")),
                                            "those that are drawn, `[\"B1\", \"B2\"]`", "those with the largest reactions", read_joints)},
-       .needs = {.dynamics = true, .reactions = true, .force_evidence = true},
+       .needs = {.dynamics = true, .reactions = true, .pictures = true, .force_evidence = true},
        .columns = analysis::reaction_columns,
        .quantities = quantities,
        .make_options = scenario::plain_options<ReactionsOptions>},
-      [](const Context& c, const scenario::Section& s) { return reactions_section(c.analysis, options_of<ReactionsOptions>(s)); }};
+      [](const Context& c, const scenario::Section& s) { return reactions_section(c.analysis, options_of<ReactionsOptions>(s), c.stage); }};
   return kind;
 }
 

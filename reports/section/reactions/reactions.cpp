@@ -16,6 +16,7 @@
 #include <cmath>
 #include <core/mechanics/model/generic_model.hpp>
 #include <map>
+#include <optional>
 
 namespace pmreport::section {
 
@@ -233,7 +234,7 @@ document::Evidence stresses_in_balance(const Analysis& a, const std::vector<int>
 
 }  // namespace
 
-Result reactions_section(const Analysis& a, const ReactionsOptions& request) {
+Result reactions_section(const Analysis& a, const ReactionsOptions& request, const Stage& stage) {
   Result out{{"reactions", "reactions", "Joint reactions", {}}, {}, {}, {}};
   document::Section& s = out.section;
   const auto tell = [&](const std::string& text, Paragraph::Tone tone = Paragraph::Tone::plain) {
@@ -249,12 +250,17 @@ Result reactions_section(const Analysis& a, const ReactionsOptions& request) {
   }
   const std::vector<JointLoad> loads = joint_loads(a);
   const Count n = count(a, loads);
+  double force = 0, moment = 0;
+  for (const JointLoad& l : loads) force = std::max(force, l.force.peak), moment = std::max(moment, l.moment.peak);
+  std::optional<Stage::Ordered> picture;
+  if (force > 0) picture = reaction_picture(a, loads, stage);
   tell(definition(a));
   tell(verdict(a, n));
   if (n.doubtful + n.elastic > 0) add_stresses(s, a, spread.front());
 
   for (const bool moment : {false, true})
     if (const JointFigure f(a, loads, request, moment); f.any()) s.blocks.push_back(f.figure());
+  if (picture) s.blocks.push_back(document::Gallery{{picture->wait()}, ""});
   s.blocks.push_back(bearing_table(a, loads));
   s.blocks.push_back(direction_table(a, loads));
   s.blocks.push_back(component_table(a, loads));
@@ -278,8 +284,6 @@ Result reactions_section(const Analysis& a, const ReactionsOptions& request) {
   if (limbs.any()) p.lines.push_back(platform_in_balance(limbs));
   s.blocks.push_back(std::move(p));
 
-  double force = 0, moment = 0;
-  for (const JointLoad& l : loads) force = std::max(force, l.force.peak), moment = std::max(moment, l.moment.peak);
   out.values = {{"reactions", "peak_force", "N", force},
                 {"reactions", "peak_moment", "N*m", moment},
                 {"reactions", "indeterminate", "", double(n.doubtful)},

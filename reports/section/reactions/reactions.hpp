@@ -1,6 +1,7 @@
 // Section `reactions`, and its parts.
 #pragma once
 
+#include <reports/section/common/stage.hpp>
 #include <reports/section/kind.hpp>
 
 #include <core/analysis/study/joint_loads.hpp>
@@ -17,7 +18,7 @@ struct ReactionsOptions : scenario::Options {
   std::vector<int> joints;  // whose reactions are drawn; empty: those with the largest
 };
 
-Result reactions_section(const Analysis& a, const ReactionsOptions& request);
+Result reactions_section(const Analysis& a, const ReactionsOptions& request, const Stage& stage);
 
 // A component, or a joint, whose value is not determined by rigid bodies: the mark beside its least-norm value.
 inline constexpr const char* least_norm_mark = "†";
@@ -33,6 +34,9 @@ document::Table bearing_table(const Analysis& a, const std::vector<JointLoad>& l
 document::Table direction_table(const Analysis& a, const std::vector<JointLoad>& loads);
 // The components of each joint at its largest force, and at its largest moment where that is another sample.
 document::Table component_table(const Analysis& a, const std::vector<JointLoad>& loads);
+
+// The machine where a joint carries its largest force of all, with the force in each joint as an arrow. Only where there are forces.
+Stage::Ordered reaction_picture(const Analysis& a, const std::vector<JointLoad>& loads, const Stage& stage);
 
 // To the fourth digit of `largest`: no bearing is chosen by more, and a component that vanishes beside others reads as zero.
 double rounded(double x, double largest);

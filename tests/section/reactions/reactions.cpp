@@ -1,5 +1,7 @@
 // Section `reactions` on a gantry whose reactions can be worked out by hand, and on the stage, where all of them are unique.
+#include <reports/scene/studio.hpp>
 #include <reports/section/checks.hpp>
+#include <reports/section/common/stage.hpp>
 #include <reports/section/reactions/reactions.hpp>
 
 #include <tests/scenario/trial.hpp>
@@ -25,6 +27,11 @@ struct OnStage {  // at rest
   section::Analysis analysis;
 };
 
+section::Result reactions_of(const section::Analysis& a, const section::ReactionsOptions& request = {}) {
+  scene::Studio studio;
+  return section::reactions_section(a, request, section::Stage(a, studio));
+}
+
 using report_words::row_of;
 
 }  // namespace
@@ -32,7 +39,7 @@ using report_words::row_of;
 TEST_CASE("what the joints of an open chain carry is the load, and all of it is unique") {
   // The table is at its own load's point: rail and pin carry the force but for what the drives take, the one along X, the other about Z.
   const OnStage r("[load]\nforce = [\"3 N\", \"4 N\", \"0 N\"]\nmoment = [\"0 N*m\", \"0 N*m\", \"6 N*m\"]\n" + asked);
-  const section::Result out = section::reactions_section(r.analysis, {});
+  const section::Result out = reactions_of(r.analysis);
   CHECK_THAT(gantry::text_of(out.section), Contains("All 10 components that the joints transmit are unique"));
   CHECK(gantry::value(out, "indeterminate") == 0);
   CHECK(gantry::value(out, "self_stresses") == 0);
@@ -42,6 +49,26 @@ TEST_CASE("what the joints of an open chain carry is the load, and all of it is 
   CHECK(rail == std::vector<std::string>{"P", "prismatic", "base → carriage", "4", "0 s", "4", "6", "0 s", "6", "unique"});
   CHECK(pin == std::vector<std::string>{"R", "revolute", "carriage → table", "5", "0 s", "5", "0", "–", "0", "unique"});
   gantry::check_proofs(out.section, 3, 1);  // a chain has no limbs to compare
+}
+
+TEST_CASE("a picture tells where, when and to what scale the joints carry their largest forces") {
+  const OnStage r("[load]\nforce = [\"3 N * t/2 s\", \"4 N * t/2 s\", \"0 N\"]\n" + asked);
+  const section::Result out = reactions_of(r.analysis);
+  const document::Gallery* gallery = nullptr;
+  for (const document::Block& b : out.section.blocks)
+    if (const auto* g = std::get_if<document::Gallery>(&b)) gallery = g;
+  REQUIRE(gallery != nullptr);
+  REQUIRE(gallery->pictures.size() == 1);
+  const document::Picture& picture = gallery->pictures.front();
+  CHECK_THAT(picture.caption, Contains("at t = 2 s, where joint R carries the largest of all") && Contains("the longest arrow 5 N"));
+  CHECK_THAT(picture.caption, !Contains("least-norm"));
+  // The drawing says the same: the pin has 5 N, the rail 4, and the load is drawn beside them.
+  CHECK_THAT(picture.svg, Contains("R 5 N") && Contains("P 4 N") && Contains("load 5 N"));
+}
+
+TEST_CASE("where no joint carries a force there is no picture of forces") {
+  const OnStage r(asked);
+  for (const document::Block& b : reactions_of(r.analysis).section.blocks) CHECK(!std::holds_alternative<document::Gallery>(b));
 }
 
 TEST_CASE("the cone of a force that swings by twenty degrees either way has this half-angle") {
@@ -60,13 +87,13 @@ TEST_CASE("a force that reverses is told by the line that it keeps to") {
   CHECK(pin.reverses);
   CHECK(std::abs(pin.direction.dot(Eigen::Vector3d(0, 10, 1).normalized())) == Approx(1));
   CHECK(pin.cone == Approx(0).margin(1e-6));  // an angle by its cosine keeps half the digits, by its chord more
-  const auto row = row_of(section::reactions_section(r.analysis, {}).section, "Where the forces point", "R");
+  const auto row = row_of(reactions_of(r.analysis).section, "Where the forces point", "R");
   CHECK(row.back().starts_with("± "));
 }
 
 TEST_CASE("self-stresses are counted, and what they reach is marked and never called unique") {
   const gantry::Run r(pushed);
-  const section::Result out = section::reactions_section(r.analysis, {});
+  const section::Result out = reactions_of(r.analysis);
   const std::string text = gantry::text_of(out.section);
   // Of five components in each of three joints, the forces along X of the hinge and the couples about Z of the rails are unique.
   CHECK_THAT(text, Contains("Of the 15 components that the joints transmit, 3 are unique") && Contains("The other 12 are indeterminate") &&
@@ -80,7 +107,7 @@ TEST_CASE("self-stresses are counted, and what they reach is marked and never ca
 
 TEST_CASE("a self-stress names the loop that has it") {
   const gantry::Run r(pushed);
-  const document::Section s = section::reactions_section(r.analysis, {}).section;
+  const document::Section s = reactions_of(r.analysis).section;
   int stresses = 0;
   for (const document::Block& b : s.blocks)
     if (const auto* t = std::get_if<document::Table>(&b); t != nullptr && t->caption.starts_with("Self-stresses"))
@@ -113,7 +140,7 @@ TEST_CASE("only the joints that a scenario chooses are drawn, least-norm ones wi
   const gantry::Run r(pushed);
   section::ReactionsOptions request;
   request.joints = {2};
-  const section::Result out = section::reactions_section(r.analysis, request);
+  const section::Result out = reactions_of(r.analysis, request);
   const auto figures = report_words::pointers<figure::Figure>(out.section);
   REQUIRE(figures.size() >= 2);
   REQUIRE(figures[0]->panels.size() == 1);
@@ -125,7 +152,7 @@ TEST_CASE("only the joints that a scenario chooses are drawn, least-norm ones wi
 TEST_CASE("a joint force above its limit is told in its section and breaks the gate of every report") {
   const OnStage r("[load]\nforce = [\"0 N\", \"10 N * t / 1 s\", \"0 N\"]\n[limits]\njoint_force = { R = \"12.5 N\" }\n" + asked);
   const std::string sentence = "t = 1.3 s to 2 s: force in joint R is 20 N, the limit is 12.5 N (worst at t = 2 s, 8 samples).";
-  CHECK_THAT(gantry::text_of(section::reactions_section(r.analysis, {}).section), Contains(sentence));
+  CHECK_THAT(gantry::text_of(reactions_of(r.analysis).section), Contains(sentence));
   int gates = 0;
   for (const document::Check& c : section::evaluate_checks(r.analysis, {}))
     if (c.name == "limits of forces, speeds, powers and reactions are kept") {

@@ -35,6 +35,11 @@ double at(const gantry::Run& r, const std::string& column, std::size_t sample) {
   return r.analysis.column(ColumnId::named(column))[sample];
 }
 
+section::Result reactions_of(const section::Analysis& a) {
+  scene::Studio studio;
+  return section::reactions_section(a, {}, section::Stage(a, studio));
+}
+
 }  // namespace
 
 // Least norm: P1 carries a, P2 and the hinge behind it b each, a + b given and a^2 + 2 b^2 least.
@@ -47,7 +52,7 @@ TEST_CASE("two rails share a load as they are stiff, where least norm would give
 
 TEST_CASE("reactions that elasticity settles are told as unique by it, with what least norm missed") {
   const gantry::Run r(pushed + turning + reactions);
-  const section::Result out = section::reactions_section(r.analysis, {});
+  const section::Result out = reactions_of(r.analysis);
   CHECK(gantry::value(out, "indeterminate") == 0);
   CHECK(gantry::value(out, "by_elasticity") == 12);  // forces across and couples about X and Y of both rails; of the hinge, too
   CHECK(gantry::value(out, "self_stresses") == 4);
@@ -57,7 +62,7 @@ TEST_CASE("reactions that elasticity settles are told as unique by it, with what
 
 TEST_CASE("what no element settles stays indeterminate, and only that") {
   const gantry::Run r(pushed + across + reactions);
-  const section::Result out = section::reactions_section(r.analysis, {});
+  const section::Result out = reactions_of(r.analysis);
   CHECK_THAT(gantry::text_of(out.section), Contains("2 self-stresses that no element gives energy leave"));
   CHECK(gantry::value(out, "indeterminate") > 0);
   CHECK(at(r, "P1_force_y", 0) == Approx(-100).epsilon(1e-9));
