@@ -2,11 +2,13 @@
 
 #include <core/analysis/asked.hpp>
 #include <core/analysis/columns.hpp>
+#include <core/analysis/samples/motion_blocks.hpp>
 #include <core/mechanics/stiffness/answers.hpp>
 #include <core/text/units.hpp>
 #include <reports/section/kinds.hpp>
 
 #include <fmt/format.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <set>
@@ -22,8 +24,10 @@ constexpr double of_coordinate = 2 * 3 * sizeof(double), of_sample = 700;
 constexpr double computed = sizeof(double), shown = 2;
 // Of a column that is shown, its curve as it is drawn: to so many samples it has as many points, and no more of more.
 constexpr double as_drawn = 210e3, drawn_samples = 4000;
-constexpr double of_program = 118e6;  // libraries, fonts, the machine, a page
-constexpr double of_pictures = 60e6;  // the renderer, whose code is compiled as it runs, and the pictures that nobody asked for
+// Of a column in each sample of a block that is being computed, one a thread: as computed, as a chunk, and as it is read.
+constexpr double in_block = 3 * sizeof(double);
+constexpr double of_program = 118e6;   // libraries, fonts, the machine, a page
+constexpr double of_pictures = 100e6;  // the renderer, whose code is compiled as it runs, and the pictures that nobody asked for
 
 std::size_t columns_of(analysis::ColumnList* list, const Topology& t) { return list(t).size(); }
 
@@ -51,7 +55,9 @@ MemoryNeed::Part of_motion(const scenario::Loaded& loaded) {
       of_sample + compliance + of_coordinate * count(t.coordinates.size()) + computed * count(in_run) + shown * count(in_report);
   const int samples = loaded.trajectory.samples();
   const double drawn = as_drawn * count(in_report) * std::min(1.0, samples / drawn_samples);
-  return {bytes * samples + drawn, fmt::format("{} samples of {} columns, of which {} are shown", samples, in_run, in_report),
+  const double blocks = in_block * count(in_run) * count(std::min(static_cast<std::size_t>(samples), analysis::MotionBlocks::size)) *
+                        tbb::this_task_arena::max_concurrency();
+  return {bytes * samples + drawn + blocks, fmt::format("{} samples of {} columns, of which {} are shown", samples, in_run, in_report),
           seen.size() > 1 ? "fewer samples, or fewer sections" : "fewer samples"};
 }
 
