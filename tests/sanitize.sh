@@ -1,18 +1,17 @@
 #!/bin/sh
-# sh tests/sanitize.sh CHECKS [ROOM...]: builds the tests of the rooms (default: all of core) with CHECKS and runs them; the first finding ends
-# the tests of its room. CHECKS: address,undefined or thread, sanitizers of the compiler; or assertions, those of Eigen and of the standard
-# library. Builds into build/address-undefined, build/thread or build/assertions.
+# sh tests/sanitize.sh SANITIZERS [ROOM...]: builds the tests of the rooms (default: all of core) with SANITIZERS, address,undefined or thread,
+# and with the assertions of Eigen and of the standard library, and runs them; the first finding ends the tests of its room. Builds into
+# build/address-undefined or build/thread.
 set -eu
 cd "$(dirname "$0")/.."
 # shellcheck source=reports/packages.sh
 . reports/packages.sh
-usage="sh tests/sanitize.sh address,undefined|thread|assertions [ROOM...]"
+usage="sh tests/sanitize.sh address,undefined|thread [ROOM...]"
 [ $# -gt 0 ] || { echo "$usage" >&2 && exit 2; }
-checks=$1 && shift
-case "$checks" in
-  address,undefined | thread) flags=-O1 sanitize=$checks ;;
-  assertions) flags="-O1 -D_GLIBCXX_ASSERTIONS" sanitize= ;;
-  *) echo "expected $usage; seen $checks" >&2 && exit 2 ;;
+sanitizers=$1 && shift
+case "$sanitizers" in
+  address,undefined | thread) ;;
+  *) echo "expected $usage; seen $sanitizers" >&2 && exit 2 ;;
 esac
 [ $# -gt 0 ] || set -- pmreport text linear recorded_program chunks scan mechanics host scenario analysis
 for room in "$@"; do
@@ -21,9 +20,9 @@ done
 
 # shellcheck disable=SC2086  # lists of words
 install_packages $program_packages $test_packages
-build=$PWD/build/$(echo "$checks" | tr , -)
-[ -f "$build/build.ninja" ] || cmake -G Ninja -S . -B "$build" -DPMREPORT_LEVELS= -DCMAKE_BUILD_TYPE=Checked "-DCMAKE_CXX_FLAGS_CHECKED=-g1 $flags" \
-  "-DCMAKE_C_FLAGS_CHECKED=-g1 $flags" "-DPMREPORT_SANITIZE=$sanitize"
+build=$PWD/build/$(echo "$sanitizers" | tr , -)
+[ -f "$build/build.ninja" ] || cmake -G Ninja -S . -B "$build" -DPMREPORT_LEVELS= -DCMAKE_BUILD_TYPE=Checked "-DCMAKE_CXX_FLAGS_CHECKED=-g1 -O1 -D_GLIBCXX_ASSERTIONS" \
+  "-DCMAKE_C_FLAGS_CHECKED=-g1 -O1" "-DPMREPORT_SANITIZE=$sanitizers"
 # shellcheck disable=SC2046  # a list of words
 cmake --build "$build" --parallel "$(nproc)" --target $(printf 'test_%s ' "$@")
 
@@ -34,4 +33,4 @@ wrong=0
 for room in "$@"; do
   "$build/bin/test_$room" || wrong=$((wrong + 1))
 done
-[ "$wrong" -eq 0 ] && echo "$checks: nothing found in $# rooms" || { echo "$checks: $wrong of $# rooms went wrong" && exit 1; }
+[ "$wrong" -eq 0 ] && echo "$sanitizers: nothing found in $# rooms" || { echo "$sanitizers: $wrong of $# rooms went wrong" && exit 1; }

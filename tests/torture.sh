@@ -1,7 +1,7 @@
 #!/bin/sh
 # sh tests/torture.sh [PLACES]: makes calls of the program fail one after the other, at so many places of each kind (default 200), and kills
-# it at as many moments. Each time the report must be the old one, whole, or the new one, whole; nothing may be left beside it; and the exit
-# status must say why. Builds what it needs into build/.
+# it at as many moments, and ends long work, alone and shared by ranks of MPI, by every signal. Each time the report must be the old one, whole,
+# or the new one, whole; nothing may be left beside it; and the exit status must say why. Builds what it needs into build/.
 set -eu
 cd "$(dirname "$0")/.."
 places=${1:-200}
@@ -10,9 +10,9 @@ places=${1:-200}
 # shellcheck disable=SC2086  # a list of words
 install_packages $program_packages $test_packages
 [ -f build/build.ninja ] || cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DPMREPORT_TESTS=ON -DPMREPORT_LEVELS=
-cmake --build build --parallel "$(nproc)" --target pmreport fail_nth plain
+cmake --build build --parallel "$(nproc)" --target pmreport pmreport-mpi fail_nth plain plugin-gough plugin-delta
 
-program=$PWD/build/bin/pmreport shim=$(find "$PWD/build" -name libfail_nth.so)
+program=$PWD/build/bin/pmreport spread=$PWD/tests/data/spread.toml shim=$(find "$PWD/build" -name libfail_nth.so)
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 mkdir "$room/plugins"
@@ -86,4 +86,38 @@ while [ "$moment" -lt "$places" ]; do
   moment=$((moment + 1))
 done
 echo "$places kills"
+
+# Long work: motions, grids, random poses, studies, proofs. What is kept of them makes the report in the end that nobody disturbed.
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+cp "$spread" spread.toml
+# A shell lets what it starts beside itself ignore SIGINT and SIGQUIT.
+alone() { exec env --default-signal=INT,QUIT "$program" spread.toml --out report --resume; }
+ranks() { exec env --default-signal=INT,QUIT mpiexec -n 2 "$program-mpi" spread.toml --out report --resume; }
+rm -rf report good
+begin=$(date +%s%N)
+(alone) >/dev/null
+long=$((($(date +%s%N) - begin) / 1000000)) # [ms]
+cp -r report good
+each=$(((places + 19) / 20))
+for who in alone ranks; do
+  for signal in INT TERM HUP QUIT KILL; do
+    moment=0
+    while [ "$moment" -lt "$each" ]; do
+      ($who) >/dev/null 2>err &
+      sleep "$(awk -v m="$moment" -v n="$each" -v ms="$long" 'BEGIN { printf "%.3f", ms * (m + 0.5) / n / 1000 }')"
+      kill "-$signal" $! 2>/dev/null || true
+      wait $! 2>/dev/null && status=0 || status=$?
+      patience=100
+      while [ -n "$(find . -maxdepth 1 -name '.report*')" ] && [ "$patience" -gt 0 ]; do sleep 0.1 && patience=$((patience - 1)); done
+      allowed="0 4 129 130 131 137 143"
+      [ "$who" = alone ] || allowed="$allowed 1 15" # as mpiexec has it
+      judge "$status" "$allowed" "SIG$signal to $who at moment $moment"
+      moment=$((moment + 1))
+    done
+    echo "SIG$signal to $who: $each moments"
+  done
+  ($who) >/dev/null 2>err && status=0 || status=$?
+  judge "$status" 0 "the run of $who that nobody disturbs"
+  [ ! -e report.chunks ] || { wrong=$((wrong + 1)) && echo "chunks are left of $who"; }
+done
 [ "$wrong" -eq 0 ] && echo "nothing went wrong" || { echo "$wrong went wrong" && exit 1; }
