@@ -3,8 +3,9 @@
 #include <core/analysis/samples/evenly.hpp>
 #include <core/analysis/samples/motion_blocks.hpp>
 #include <core/chunks/chunk_folder.hpp>
+#include <tests/given/gantry.hpp>
+#include <tests/given/only.hpp>
 #include <tests/host/fixtures/temporary.hpp>
-#include <tests/section/gantry.hpp>
 
 #include <tbb/task_arena.h>
 

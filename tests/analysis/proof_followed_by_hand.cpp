@@ -3,7 +3,7 @@
 
 #include <core/analysis/proof/followed_krawczyk.hpp>
 #include <core/program/recorder.hpp>
-#include <tests/mechanics/slider_crank.hpp>
+#include <tests/given/slider_crank.hpp>
 
 using namespace trial;
 using analysis::Krawczyk, analysis::Offsets;
@@ -39,7 +39,7 @@ long double dead_centre() {
 }
 
 std::unique_ptr<Machine> slider_crank() {
-  const pm_mechanism& table = contract::mechanism<test::SliderCrank>;
+  const pm_mechanism& table = test::slider_crank();
   return std::make_unique<Machine>(table, mechanics::default_values(mechanics::describe(table)));
 }
 Sines slider_law(const Machine& machine, double amplitude) {
@@ -105,7 +105,7 @@ TEST_CASE("a slider that pushes its crank to the dead centre is proved up to sho
 }
 
 TEST_CASE("a mechanism that does not record its geometry is not proved to follow its actuators, and says why") {
-  pm_mechanism older = contract::mechanism<test::SliderCrank>;
+  pm_mechanism older = test::slider_crank();
   older.struct_size = offsetof(pm_mechanism, record);
   const Machine machine(older, mechanics::default_values(mechanics::describe(older)));
   const Sines law = slider_law(machine, 0.01);

@@ -4,7 +4,7 @@
 #include <core/analysis/analysis.hpp>
 #include <core/scenario/loaded.hpp>
 #include <reports/section/kinds.hpp>
-#include <tests/scenario/stage.hpp>
+#include <tests/given/stage.hpp>
 
 #include <string>
 

@@ -1,8 +1,8 @@
 // Indices of transmission over a grid of the Delta robot (tests/data/transmission.json).
 #include <core/analysis/columns.hpp>
 #include <core/analysis/transmission/grid.hpp>
+#include <tests/given/reference.hpp>
 #include <tests/plugins/delta.hpp>
-#include <tests/plugins/reference.hpp>
 
 #include <algorithm>
 

@@ -1,9 +1,11 @@
 // What holds for every file of a motion: it is one, of numbers throughout and through all of its rows, or refused with a reason.
 #pragma once
 
+#include <core/scenario/loaded.hpp>
 #include <core/scenario/read/csv.hpp>
+#include <reports/section/kinds.hpp>
 #include <tests/fuzz/scratch.hpp>
-#include <tests/scenario/stage.hpp>
+#include <tests/given/stage.hpp>
 
 #include <algorithm>
 #include <cmath>

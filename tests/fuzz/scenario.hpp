@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cmath>
+#include <core/scenario/loaded.hpp>
 #include <reports/section/comparison/comparison.hpp>
+#include <reports/section/kinds.hpp>
 #include <reports/section/singularity/singularity.hpp>
 #include <string>
-#include <tests/scenario/stage.hpp>
+#include <tests/given/stage.hpp>
 
 namespace fuzz {
 

@@ -1,11 +1,8 @@
 #include <tests/mechanics/mechanisms.hpp>
-#include <tests/mechanics/slider_crank.hpp>
 
 namespace pmreport::test {
 
 using namespace pmreport::mechanics;
-
-const pm_mechanism& slider_crank() { return contract::mechanism<SliderCrank>; }
 
 Machine make(const pm_mechanism& table) { return Machine(table, default_values(describe(table))); }
 Machine make_hexapod(BaseJoint base) { return Machine(hexapod(), {{static_cast<double>(base)}}); }

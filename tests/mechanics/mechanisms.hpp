@@ -25,9 +25,8 @@ const pm_mechanism& four_bar();
 // a cylindrical joint, the latter with two actuators.
 const pm_mechanism& arm();
 
-// Spatial slider-crank; see slider_crank.hpp.
+// Spatial slider-crank; see tests/given/slider_crank.hpp.
 const pm_mechanism& slider_crank();
-
 mechanics::Machine make(const pm_mechanism& table);
 mechanics::Machine make_hexapod(BaseJoint base);
 

@@ -5,8 +5,8 @@
 #include <core/mechanics/dynamics/virtual_work.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/reactions/reactions.hpp>
+#include <tests/given/reference.hpp>
 #include <tests/plugins/plugin.hpp>
-#include <tests/plugins/reference.hpp>
 
 #include <Eigen/Geometry>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <core/mechanics/model/generic_model.hpp>
+#include <tests/given/reference.hpp>
 #include <tests/plugins/plugin.hpp>
-#include <tests/plugins/reference.hpp>
 
 namespace pmreport::test {
 

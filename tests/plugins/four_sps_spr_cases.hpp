@@ -2,8 +2,8 @@
 #pragma once
 
 #include <core/mechanics/model/state.hpp>
+#include <tests/given/reference.hpp>
 #include <tests/plugins/four_sps_spr.hpp>
-#include <tests/plugins/reference.hpp>
 #include <tests/plugins/turning.hpp>
 
 namespace pmreport::test::four_sps_spr_cases {

@@ -3,7 +3,7 @@
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/statics/statics.hpp>
-#include <tests/plugins/reference.hpp>
+#include <tests/given/reference.hpp>
 #include <tests/plugins/two_q_spr.hpp>
 
 using namespace pmreport;

@@ -42,8 +42,8 @@ class Copy {
     pm_list list{};
     original->kinematics->topology(instance, &t, text);
     const pm_status status = original->dynamics->inertias(instance, &list, text);
-    changed = contract::map<pm_inertia>(list, [](const pm_inertia& i) { return i; });
-    for (std::size_t i = 0; i < changed.size(); ++i) change_(contract::item<pm_body>(t.bodies, i).name, changed[i]);
+    changed = mechanics::contract::map<pm_inertia>(list, [](const pm_inertia& i) { return i; });
+    for (std::size_t i = 0; i < changed.size(); ++i) change_(mechanics::contract::item<pm_body>(t.bodies, i).name, changed[i]);
     *out = {changed.data(), changed.size(), sizeof(pm_inertia)};
     return status;
   }

@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 
 #include <core/host/plugin_file.hpp>
-#include <tests/mechanics/slider_crank.hpp>
+#include <tests/given/slider_crank.hpp>
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -134,7 +134,7 @@ TEST_CASE("each fault fails the property that names it, what must follow from it
       {"recorded", {"recording equals place and jacobian", "extended precision agrees"}},
       {"reach", {"poses are in reach"}},
   };
-  const pm_mechanism& mechanism = contract::mechanism<test::SliderCrank>;
+  const pm_mechanism& mechanism = test::slider_crank();
   for (const Faulty& faulty : all) {
     const auto which =
         std::find(std::begin(test::SliderCrank::faults), std::end(test::SliderCrank::faults), std::string_view(faulty.fault));
@@ -152,7 +152,7 @@ TEST_CASE("each fault fails the property that names it, what must follow from it
 }
 
 TEST_CASE("a mass or an inertia that no body has is refused before anything is computed") {
-  const pm_mechanism& mechanism = contract::mechanism<test::SliderCrank>;
+  const pm_mechanism& mechanism = test::slider_crank();
   const std::pair<const char*, const char*> faults[] = {
       {"mass", "fault gives body slider what no body can have: its mass is -0.001 kg"},
       {"inertia",
@@ -184,7 +184,7 @@ TEST_CASE("couples of the Delta's limbs in each other's rows are found by the li
 }
 
 TEST_CASE("numbers that are not finite fail, and say so") {
-  const pm_mechanism& mechanism = contract::mechanism<test::SliderCrank>;
+  const pm_mechanism& mechanism = test::slider_crank();
   ParameterValues values = default_values(describe(mechanism));
   values[0] = {13};  // the fault "nan"
   const Machine machine(mechanism, values);
@@ -198,7 +198,7 @@ TEST_CASE("numbers that are not finite fail, and say so") {
 }
 
 TEST_CASE("the same seed tries the same poses, another seed others") {
-  const pm_mechanism& mechanism = contract::mechanism<test::SliderCrank>;
+  const pm_mechanism& mechanism = test::slider_crank();
   const Machine machine(mechanism, default_values(describe(mechanism)));
   const auto worst = [&](std::uint64_t seed) {
     std::vector<double> out;

@@ -1,8 +1,8 @@
 // Jacobian, statics and singular poses of the Delta robot, against differences in extended precision and elementary mechanics.
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <tests/given/reference.hpp>
 #include <tests/plugins/delta.hpp>
-#include <tests/plugins/reference.hpp>
 
 #include <Eigen/LU>
 #include <Eigen/SVD>

@@ -3,8 +3,8 @@
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/statics/statics.hpp>
+#include <tests/given/reference.hpp>
 #include <tests/plugins/p2prpu_prps.hpp>
-#include <tests/plugins/reference.hpp>
 
 using namespace pmreport;
 using namespace pmreport::mechanics;

@@ -5,8 +5,8 @@
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/model/random_poses.hpp>
 #include <core/mechanics/statics/statics.hpp>
+#include <tests/given/reference.hpp>
 #include <tests/plugins/par4.hpp>
-#include <tests/plugins/reference.hpp>
 
 #include <Eigen/LU>
 #include <memory>

@@ -7,8 +7,8 @@
 #include <core/mechanics/stiffness/elastic_split.hpp>
 #include <core/mechanics/stiffness/whole_system.hpp>
 #include <pmreport/elastic.hpp>
+#include <tests/given/reference.hpp>
 #include <tests/plugins/elastic_machines.hpp>
-#include <tests/plugins/reference.hpp>
 
 #include <Eigen/Dense>
 #include <numbers>

@@ -1,8 +1,8 @@
 // Compliances of the mechanisms against reference cases: springs and positions in 60 digits, with the platform displaced by Newton.
 #include <core/mechanics/stiffness/answers.hpp>
 #include <pmreport/elastic.hpp>
+#include <tests/given/reference.hpp>
 #include <tests/plugins/plugin.hpp>
-#include <tests/plugins/reference.hpp>
 
 #include <Eigen/Geometry>
 #include <memory>

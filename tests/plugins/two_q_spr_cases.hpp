@@ -1,7 +1,7 @@
 // The reference cases of the 2Q-SPR (tests/data/2q-spr.json): the machine, the state, the load and the gravity that each speaks of.
 #pragma once
 
-#include <tests/plugins/reference.hpp>
+#include <tests/given/reference.hpp>
 #include <tests/plugins/two_q_spr.hpp>
 
 namespace pmreport::test::two_q_spr_cases {

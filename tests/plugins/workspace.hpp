@@ -3,8 +3,8 @@
 
 #include <core/mechanics/workspace/pose_limits.hpp>
 #include <core/scan/grid.hpp>
+#include <tests/given/reference.hpp>
 #include <tests/plugins/plugin.hpp>
-#include <tests/plugins/reference.hpp>
 
 #include <memory>
 #include <string>

@@ -2,7 +2,7 @@
 // balls B and C.
 #include <catch2/catch.hpp>
 #include <core/scenario/sizing_part.hpp>
-#include <tests/mechanics/slider_crank.hpp>
+#include <tests/given/slider_crank.hpp>
 #include <tests/scenario/trial.hpp>
 
 using namespace pmreport;
@@ -24,7 +24,7 @@ MotionLimits limits_of(std::string_view lines) {
 std::string told_of(std::string_view lines) { return told(limited(lines)); }
 
 MechanismSource crank() {
-  return {[](const std::string& name) { return name == "crank" ? &contract::mechanism<test::SliderCrank> : nullptr; }, {"crank"}};
+  return {[](const std::string& name) { return name == "crank" ? &test::slider_crank() : nullptr; }, {"crank"}};
 }
 Loaded cranked(const std::string& lines) {
   return load_text(

@@ -2,9 +2,15 @@
 #pragma once
 
 #include <catch2/catch.hpp>
+#include <core/scenario/loaded.hpp>
+#include <reports/section/kinds.hpp>
+#include <tests/given/stage.hpp>
+
 #include <filesystem>
 #include <fstream>
-#include <tests/scenario/stage.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace trial {
 

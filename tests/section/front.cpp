@@ -3,8 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-#include <tests/mechanics/two_legs.hpp>
-#include <tests/scenario/only.hpp>
+#include <tests/given/only.hpp>
+#include <tests/given/two_legs.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 // The table of two legs, 300 mm apart, moves along x at height y: [motion] and sections follow.
 document::Report of_legs(const std::string& rest) {
   return report_of("title = \"Two legs\"\n[mechanism]\nuse = \"two-legs\"\n[motion]\nduration = \"1 s\"\nsamples = 11\n" + rest,
-                   test::only<test::TwoLegs>());
+                   test::only(test::two_legs()));
 }
 std::string asked(std::initializer_list<const char*> kinds) {
   std::string out;

@@ -1,6 +1,6 @@
 #include <reports/section/kinds.hpp>
 #include <reports/section/make_report.hpp>
-#include <tests/scenario/stage.hpp>
+#include <tests/given/stage.hpp>
 #include <tests/section/gantry.hpp>
 #include <tests/section/whole_report.hpp>
 

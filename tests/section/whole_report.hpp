@@ -16,9 +16,9 @@ using namespace pmreport;
 
 document::Report report_of(const std::string& text, const scenario::MechanismSource& source);
 
-// Of the gantry (tests/section/gantry.hpp), x = 50 mm sin(pi t / s) over 2 s in steps of 0.1 s; `more` follows the motion.
+// Of the gantry (tests/given/gantry.hpp), x = 50 mm sin(pi t / s) over 2 s in steps of 0.1 s; `more` follows the motion.
 document::Report of_gantry(const std::string& more);
-// Of the stage (tests/scenario/stage.hpp), feeler 200 mm long, over 2 s in steps of 0.1 s: `parameters` and `motion` as in TOML.
+// Of the stage (tests/given/stage.hpp), feeler 200 mm long, over 2 s in steps of 0.1 s: `parameters` and `motion` as in TOML.
 document::Report of_stage(const std::string& parameters, const std::string& motion, const std::string& more);
 
 // "[[section]]\nkind = ..." of each.

@@ -1,7 +1,7 @@
 // Modes that are not isolated, on two legs in a plane, whose modes are where two circles meet, and on angles that are singular.
+#include <tests/given/two_legs.hpp>
 #include <tests/mechanics/assembly/actuators_at.hpp>
 #include <tests/mechanics/mechanisms.hpp>
-#include <tests/mechanics/two_legs.hpp>
 
 using namespace pmreport;
 using namespace pmreport::mechanics;
@@ -9,7 +9,7 @@ using test::actuators_at, test::modes_at, test::shortly;
 
 namespace {
 
-Machine two_legs(double apart) { return Machine(contract::mechanism<test::TwoLegs>, {{apart}}); }
+Machine two_legs(double apart) { return Machine(test::two_legs(), {{apart}}); }
 
 }  // namespace
 

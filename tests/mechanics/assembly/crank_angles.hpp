@@ -1,7 +1,7 @@
 // The assembly modes of the slider-crank, by hand.
 #pragma once
 
-#include <tests/mechanics/slider_crank.hpp>
+#include <tests/given/slider_crank.hpp>
 
 #include <cmath>
 #include <vector>

@@ -9,7 +9,7 @@ using Catch::StartsWith;
 
 namespace {
 
-using Sound = Table<Mistake::none>;
+using Sound = Table<>;
 
 // The sound table with another function that records.
 struct Recording {

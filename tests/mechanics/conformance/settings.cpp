@@ -9,11 +9,6 @@ using namespace pmreport::test;
 
 namespace {
 
-template <Mistake mistake>
-Machine table() {
-  const pm_mechanism& t = contract::mechanism<Table<mistake>>;
-  return Machine(t, default_values(describe(t)));
-}
 std::set<std::string> failing(const Settings& settings) {
   std::set<std::string> out;
   for (const Setting& s : settings.taken)
@@ -70,15 +65,17 @@ Machine box() { return Machine(contract::mechanism<Box>, default_values(describe
 }  // namespace
 
 TEST_CASE("a mistake that shows with another choice alone is found there") {
-  CHECK(failures<Mistake::only_behind>().empty());
-  CHECK(failing(other_choices(table<Mistake::only_behind>())) == std::set<std::string>{"side = back"});
-  CHECK(failing(other_choices(table<Mistake::none>())).empty());
+  CHECK(failures(Mistake::only_behind).empty());
+  CHECK(failing(other_choices(machine_of(Mistake::none))).empty());
+  const With mistake(Mistake::only_behind);
+  CHECK(failing(other_choices(machine_of(Mistake::only_behind))) == std::set<std::string>{"side = back"});
 }
 
 TEST_CASE("a mistake that shows at another size alone is found there") {
-  CHECK(failures<Mistake::only_when_wide>().empty());
-  CHECK(failing(other_numbers(table<Mistake::only_when_wide>(), 0, 1)) == std::set<std::string>{"edge = 250 mm"});
-  CHECK(failing(other_numbers(table<Mistake::none>(), 10, 1)).empty());
+  CHECK(failures(Mistake::only_when_wide).empty());
+  CHECK(failing(other_numbers(machine_of(Mistake::none), 10, 1)).empty());
+  const With mistake(Mistake::only_when_wide);
+  CHECK(failing(other_numbers(machine_of(Mistake::only_when_wide), 0, 1)) == std::set<std::string>{"edge = 250 mm"});
 }
 
 TEST_CASE("all combinations of words are tried when they are few, else each word alone") {

@@ -2,9 +2,9 @@
 
 #include <core/mechanics/reactions/by_limb/kernel.hpp>
 #include <core/mechanics/reactions/by_limb/planner.hpp>
+#include <tests/given/slider_crank.hpp>
 #include <tests/mechanics/mechanisms.hpp>
 #include <tests/mechanics/motions.hpp>
-#include <tests/mechanics/slider_crank.hpp>
 
 #include <algorithm>
 #include <cstdlib>

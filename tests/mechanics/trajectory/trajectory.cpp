@@ -4,7 +4,7 @@
 #include <core/mechanics/trajectory/followed.hpp>
 #include <core/mechanics/trajectory/forced.hpp>
 #include <core/mechanics/trajectory/singular_surface.hpp>
-#include <tests/mechanics/slider_crank.hpp>
+#include <tests/given/slider_crank.hpp>
 #include <tests/mechanics/swinging.hpp>
 
 #include <cmath>
@@ -53,7 +53,7 @@ TEST_CASE("what is cut off keeps its first samples in every part") {
 }
 
 TEST_CASE("a crank that turns through its dead centre meets a singular surface there, and its samples stay") {
-  const auto machine = machine_of(contract::mechanism<test::SliderCrank>);
+  const auto machine = machine_of(test::slider_crank());
   Trajectory t = sampled(straight(machine->home()(0), -1), even(2, 41), 1);
   const auto met = first_singular_surface(t, *machine);
   REQUIRE(met);
@@ -74,7 +74,7 @@ TEST_CASE("a crank that turns through its dead centre meets a singular surface t
 }
 
 TEST_CASE("the crank follows its slider at and between the samples, to the dead centre and not beyond") {
-  const auto machine = machine_of(contract::mechanism<test::SliderCrank>);
+  const auto machine = machine_of(test::slider_crank());
   const double home = machine->home_pose().numbers[machine->layout().actuator(0)];
   SmallVector start(1);
   start(0) = machine->home()(0);

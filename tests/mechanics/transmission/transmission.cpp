@@ -2,8 +2,8 @@
 #include <core/mechanics/model/random_poses.hpp>
 #include <core/mechanics/transmission/transmission.hpp>
 #include <pmreport/mechanism.hpp>
+#include <tests/given/two_legs.hpp>
 #include <tests/mechanics/mechanisms.hpp>
-#include <tests/mechanics/two_legs.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -105,7 +105,7 @@ TEST_CASE("the output transmission of a four-bar is the sine of its transmission
 }
 
 TEST_CASE("with its legs in one line a table in two legs cannot be moved across them, and says so by zeros") {
-  const Machine m(contract::mechanism<test::TwoLegs>, {{0.3}});
+  const Machine m(test::two_legs(), {{0.3}});
   const Transmission t(m);
   // On the line through both feet, beyond them: l1 and l2 push one way.
   const TransmissionIndices singular = indices(t, Eigen::Vector2d(0.12, 0));

@@ -124,7 +124,7 @@ TEST_CASE("no term leaves its range") {
     const Expression e = parsed(text);
     for (int i = 0; i < 200; ++i) {
       const double a = time(generator), b = a + std::pow(share(generator), 3), t = a + share(generator) * (b - a);
-      std::vector<Range> ranges;
+      std::vector<scenario::Range> ranges;
       ranges_of(e.terms(), a, b, ranges);
       std::vector<Jet<double>> values;
       e.evaluate(t, {}, values);

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <core/scenario/expression/integral.hpp>
 #include <random>
-#include <tests/mechanics/slider_crank.hpp>
+#include <tests/given/slider_crank.hpp>
 #include <tests/scenario/trial.hpp>
 
 using namespace pmreport;
@@ -182,7 +182,7 @@ namespace {
 
 // A slider-crank; its slider turns back at a dead centre. `theta` is the crank's angle, 0.8 rad at home, `s` the slider's travel.
 scenario::MechanismSource crank() {
-  return {[](const std::string& name) { return name == "crank" ? &contract::mechanism<test::SliderCrank> : nullptr; }, {"crank"}};
+  return {[](const std::string& name) { return name == "crank" ? &test::slider_crank() : nullptr; }, {"crank"}};
 }
 Loaded cranked(const std::string& motion) {
   return load_text("title = \"Crank\"\n[mechanism]\nuse = \"crank\"\n[[section]]\nkind = \"velocity\"\n[motion]\n" + motion, "a.toml",

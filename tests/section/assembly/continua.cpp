@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include <reports/section/assembly/assembly.hpp>
-#include <tests/mechanics/two_legs.hpp>
+#include <tests/given/two_legs.hpp>
 #include <tests/section/gantry.hpp>
 
 using namespace pmreport;
@@ -15,7 +15,7 @@ struct Run {
   Run(const std::string& apart, const std::string& motion)
       : loaded(scenario::load_text("title = \"Two legs\"\n[mechanism]\nuse = \"two-legs\"\nparameters = { apart = \"" + apart +
                                        "\" }\n[motion]\nduration = \"2 s\"\nsamples = 21\n" + motion + "[[section]]\nkind = \"assembly\"\n",
-                                   "a.toml", test::only<test::TwoLegs>(), section::kinds())),
+                                   "a.toml", test::only(test::two_legs()), section::kinds())),
         analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
   section::Result assembly(double time = 0) {
     scene::Studio studio;

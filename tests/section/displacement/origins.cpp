@@ -1,7 +1,7 @@
 // A report says what the motions of its joints count from. The mechanism: a carriage 1 m above the base, driven along X, and a telescopic
 // leg that follows it between two balls, A on the base, counted from Z, and B, counted from home, where the leg stands upright.
 #include <pmreport/mechanism.hpp>
-#include <tests/scenario/only.hpp>
+#include <tests/given/only.hpp>
 #include <tests/section/report_words.hpp>
 #include <tests/section/whole_report.hpp>
 

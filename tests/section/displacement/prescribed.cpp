@@ -5,7 +5,7 @@
 #include <reports/section/checks.hpp>
 #include <reports/section/common/words/words.hpp>
 #include <reports/section/displacement/prescribed.hpp>
-#include <tests/mechanics/slider_crank.hpp>
+#include <tests/given/slider_crank.hpp>
 #include <tests/scenario/trial.hpp>
 
 using namespace pmreport;
@@ -20,7 +20,7 @@ struct Run {
             "title = \"Crank\"\n[mechanism]\nuse = \"crank\"\n[[section]]\nkind = \"displacement\"\n[motion]\nduration = "
             "\"1 s\"\nsamples = 21\n" +
                 motion,
-            "a.toml", {[](const std::string&) { return &contract::mechanism<test::SliderCrank>; }, {"crank"}}, section::kinds())),
+            "a.toml", {[](const std::string&) { return &test::slider_crank(); }, {"crank"}}, section::kinds())),
         analysis(loaded.scenario, loaded.trajectory, *loaded.machine, analysis::asked_by(loaded.scenario), {}) {}
   scenario::Loaded loaded;
   section::Analysis analysis;

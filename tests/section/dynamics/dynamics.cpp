@@ -10,7 +10,7 @@
 #include <reports/section/dynamics/dynamics_words.hpp>
 #include <reports/section/dynamics/energy.hpp>
 #include <reports/section/kinds.hpp>
-#include <tests/scenario/only.hpp>
+#include <tests/given/only.hpp>
 #include <tests/scenario/trial.hpp>
 #include <tests/section/report_words.hpp>
 

@@ -1,7 +1,7 @@
 // Section `mechanism`: parameters, joints, bodies and mobility, as declared and as counted by hand.
 #include <catch2/catch.hpp>
 
-#include <tests/scenario/only.hpp>
+#include <tests/given/only.hpp>
 #include <tests/section/gantry.hpp>
 #include <tests/section/report_words.hpp>
 #include <tests/section/whole_report.hpp>

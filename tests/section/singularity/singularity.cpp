@@ -7,7 +7,7 @@
 #include <reports/section/kinds.hpp>
 #include <reports/section/mobility/mobility.hpp>
 #include <reports/section/singularity/singularity.hpp>
-#include <tests/scenario/only.hpp>
+#include <tests/given/only.hpp>
 #include <tests/scenario/trial.hpp>
 #include <tests/section/report_words.hpp>
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <pmreport/leg.hpp>
-#include <tests/scenario/only.hpp>
+#include <tests/given/only.hpp>
 #include <tests/section/report_words.hpp>
 #include <tests/section/whole_report.hpp>
 

@@ -11,7 +11,7 @@
 #include <pmreport/mechanism.hpp>
 #include <reports/section/kinds.hpp>
 #include <reports/section/study/study.hpp>
-#include <tests/scenario/only.hpp>
+#include <tests/given/only.hpp>
 #include <tests/section/report_words.hpp>
 
 #include <algorithm>

@@ -1,9 +1,9 @@
-// Section `transmission` on a table in two legs (tests/mechanics/two_legs.hpp) that stand 300 mm apart: with leg 2 held the table goes
+// Section `transmission` on a table in two legs (tests/given/two_legs.hpp) that stand 300 mm apart: with leg 2 held the table goes
 // round its foot, so that leg 1 transmits the sine of the angle between the legs, and leg 2 likewise.
 #include <catch2/catch.hpp>
 
-#include <tests/mechanics/two_legs.hpp>
-#include <tests/scenario/only.hpp>
+#include <tests/given/only.hpp>
+#include <tests/given/two_legs.hpp>
 #include <tests/section/report_words.hpp>
 #include <tests/section/whole_report.hpp>
 
@@ -27,7 +27,7 @@ document::Report run(const std::string& motion, const std::string& section) {
   return report_of("title = \"Two legs\"\n[mechanism]\nuse = \"two-legs\"\n" +
                        (motion.empty() ? motion : "[motion]\nduration = \"1 s\"\nsamples = 11\n" + motion) +
                        "[[section]]\nkind = \"transmission\"\n" + section,
-                   test::only<test::TwoLegs>());
+                   test::only(test::two_legs()));
 }
 
 const figure::Figure& figure_of(const document::Report& r, const std::string& id) {
@@ -168,13 +168,13 @@ TEST_CASE("a workspace may demand a local transmission index, judged pose by pos
            "[[section.limit]]\nindex = \"transmission\"\nmin = \"" +
            least + "\"\n";
   };
-  const auto r = report_of(limited("0.7"), test::only<test::TwoLegs>());
+  const auto r = report_of(limited("0.7"), test::only(test::two_legs()));
   int good = 0;
   for (int i = 0; i < 21; ++i)
     for (int k = 0; k < 21; ++k) good += sine(0.003 + 0.3 * i / 20, 0.105 + 0.4 * k / 20) >= 0.7 ? 1 : 0;
   CHECK(good > 50);
   CHECK(value(r, "accepted") == good);
-  CHECK_THROWS_WITH(report_of(limited("1.2"), test::only<test::TwoLegs>()), Contains("expected an index from 0 to 1"));
+  CHECK_THROWS_WITH(report_of(limited("1.2"), test::only(test::two_legs())), Contains("expected an index from 0 to 1"));
 }
 
 // The sine of the angle at which the feet are seen is at least k between the two circles through both feet on which it is k: of radius
@@ -185,7 +185,7 @@ TEST_CASE("the workspace of good transmission is proved, and is the one between 
       "title = \"Two legs\"\n[mechanism]\nuse = \"two-legs\"\n[[section]]\nkind = \"workspace\"\nlimits = [\"strokes\"]\n"
       "scan = { x = [\"0 mm\", \"300 mm\", 21], y = [\"150 mm\", \"505 mm\", 21] }\npictures = false\n"
       "[[section.limit]]\nindex = \"transmission\"\nmin = 0.7\n",
-      test::only<test::TwoLegs>());
+      test::only(test::two_legs()));
   double exact = 0;
   constexpr int columns = 100'000;
   for (int i = 0; i < columns; ++i) {
@@ -207,7 +207,7 @@ TEST_CASE("a check whose bound lies within what is proved of a volume says that 
         "scan = { x = [\"0 mm\", \"300 mm\", 21], y = [\"150 mm\", \"505 mm\", 21] }\npictures = false\ngap = 0.05\n"
         "[[section.limit]]\nindex = \"transmission\"\nmin = 0.7\n[[check]]\nthat = \"workspace.volume\"\nabove = \"" +
             std::to_string(bound) + " m^2\"\n",
-        test::only<test::TwoLegs>());
+        test::only(test::two_legs()));
   };
   const auto first = checked(1e-3);
   const double low = value(first, "volume_low"), high = value(first, "volume_high");

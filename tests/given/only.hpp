@@ -8,9 +8,12 @@
 
 namespace pmreport::test {
 
+inline scenario::MechanismSource only(const pm_mechanism& table) {
+  return {[&table](const std::string& name) { return name == table.name ? &table : nullptr; }, {table.name}};
+}
 template <class M>
 scenario::MechanismSource only() {
-  return {[](const std::string& name) { return name == M::name ? &contract::mechanism<M> : nullptr; }, {M::name}};
+  return only(contract::mechanism<M>);
 }
 
 }  // namespace pmreport::test

@@ -114,4 +114,7 @@ class SliderCrank : public Mechanism<1> {
   double radius_, length_;
 };
 
+// Compiled once for all tests: of the table of a mechanism much is made.
+const pm_mechanism& slider_crank();
+
 }  // namespace pmreport::test

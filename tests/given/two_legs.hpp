@@ -63,4 +63,7 @@ class TwoLegs : public Mechanism<2> {
   double apart_;
 };
 
+// Compiled once for all tests: of the table of a mechanism much is made.
+const pm_mechanism& two_legs();
+
 }  // namespace pmreport::test

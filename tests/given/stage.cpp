@@ -1,17 +1,14 @@
-// A small mechanism to try scenarios on: a carriage slides along X, a table turns on it about Z, and a feeler of length r on the table
-// stands at height y = r sin(phi). Either phi or y is the independent one; the other follows.
-#pragma once
-
-#include <core/scenario/loaded.hpp>
 #include <pmreport/mechanism.hpp>
-#include <reports/section/kinds.hpp>
+#include <tests/given/stage.hpp>
 
 namespace stage {
 
 using namespace pmreport;
 
-inline constexpr const char* followers[] = {"y", "phi"};
-inline constexpr double grid[] = {0, 0.1, 0.2};
+namespace {
+
+constexpr const char* followers[] = {"y", "phi"};
+constexpr double grid[] = {0, 0.1, 0.2};
 
 class Stage : public Mechanism<2> {
  public:
@@ -67,7 +64,9 @@ class Stage : public Mechanism<2> {
   Topology t_;
 };
 
-inline scenario::MechanismSource source() {
+}  // namespace
+
+scenario::MechanismSource source() {
   return {[](const std::string& name) { return name == "stage" ? &contract::mechanism<Stage> : nullptr; }, {"stage", "stewart"}};
 }
 
