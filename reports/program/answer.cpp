@@ -5,6 +5,7 @@
 #include <core/mechanics/machine/machine.hpp>
 #include <core/scenario/diagnostic.hpp>
 #include <reports/compare/results.hpp>
+#include <reports/document/folder/left_behind.hpp>
 #include <reports/document/write.hpp>
 #include <reports/figure/warnings.hpp>
 #include <reports/program/commands.hpp>
@@ -19,10 +20,13 @@
 #include <tbb/global_control.h>
 #include <unistd.h>
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <optional>
+#include <stop_token>
 #include <system_error>
+#include <thread>
 #include <variant>
 
 namespace pmreport::program {
@@ -42,6 +46,19 @@ void listen_to_signals() {
     if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;  // as nohup wants it
     sigaction(signal, &action, nullptr);
   }
+}
+
+// Of one of several processes that somebody else starts and ends: mpiexec kills a rank that goes on for a second. One that does not come to
+// the end of its step in half of that clears away and ends.
+void end_soon_when_asked(const std::stop_token& over) {
+  constexpr std::chrono::milliseconds between_looks{50};
+  constexpr int patience = 8;
+  for (int looks = 0; looks < patience; looks += stop_asked()) {
+    std::this_thread::sleep_for(between_looks);
+    if (over.stop_requested()) return;
+  }
+  document::clear_all_left_behind();
+  _exit(128 + stop_signal);
 }
 
 // A stream that is closed from the start would lend its number to the first file opened, and words would end in that file. This one
@@ -223,6 +240,7 @@ int answer_together(int argc, char** argv, chunks::Dealer& dealer, int threads) 
     }
     options.dealer = &dealer;
     if (options.threads == 0) options.threads = threads;
+    const std::jthread watch(end_soon_when_asked);
     return flushed(guarded([&] { return work(options); }));
   });
 }
