@@ -39,12 +39,13 @@ seconds() { # COMMAND...
   rm -rf report report.chunks chunks
 }
 median() { sort -n "$1" | awk '{ a[NR] = $1 } END { print (NR % 2 ? a[(NR + 1) / 2] : (a[NR / 2] + a[NR / 2 + 1]) / 2) / 1000 }'; }
+# Bound to one core, as mpiexec would have one rank, it has less than a program that nobody binds.
 way() { # NAME
   case $1 in
     alone-*) echo "$program ${1#*-}.toml -o report --threads 1" ;;
     kept-*) echo "$program ${1#*-}.toml -o report --threads 1 --shard 1/1" ;;
-    rank1-*) echo "mpiexec -n 1 $program-mpi ${1#*-}.toml -o report --threads 1" ;;
-    rank2-*) echo "mpiexec -n 2 $program-mpi ${1#*-}.toml -o report --threads 1" ;;
+    rank1-*) echo "mpiexec --bind-to none -n 1 $program-mpi ${1#*-}.toml -o report --threads 1" ;;
+    rank2-*) echo "mpiexec --bind-to none -n 2 $program-mpi ${1#*-}.toml -o report --threads 1" ;;
   esac
 }
 ways="alone-small alone-large kept-small kept-large rank1-small rank1-large rank2-small rank2-large"
