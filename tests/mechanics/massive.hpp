@@ -108,15 +108,11 @@ class Engine : public Mechanism<1> {
   }
 };
 
-inline mechanics::Machine make_rotor() { return make(contract::mechanism<Rotor<1>>); }
-inline mechanics::Machine make_rotor_on_two_bearings() { return make(contract::mechanism<Rotor<2>>); }
-inline mechanics::Machine make_engine() { return make(contract::mechanism<Engine>); }
+mechanics::Machine make_rotor();
+mechanics::Machine make_rotor_on_two_bearings();
+mechanics::Machine make_engine();
 
-inline mechanics::State state_of(const mechanics::Machine& machine, double q, double rate, double acceleration) {
-  mechanics::State s;
-  mechanics::evaluate(machine, &q, &rate, &acceleration, s);
-  return s;
-}
+mechanics::State state_of(const mechanics::Machine& machine, double q, double rate, double acceleration);
 
 // The rotor's mass and inertia about O, in axes that turn with it, written out: the centre of mass by Steiner.
 struct RotorNumbers {

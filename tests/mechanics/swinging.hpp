@@ -103,4 +103,7 @@ class Trolley : public Mechanism<2> {
   double arm_;
 };
 
+const pm_mechanism& pendulum();
+const pm_mechanism& trolley();
+
 }  // namespace pmreport::test

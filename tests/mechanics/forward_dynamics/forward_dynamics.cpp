@@ -20,9 +20,9 @@ namespace {
 constexpr double g = 9.81, pi = 3.14159265358979323846;
 
 Machine pendulum(double drive = 0, double lowest = -10, double turn = 10, double room = 10) {
-  return Machine(contract::mechanism<Pendulum>, {{drive}, {lowest}, {turn}, {room}});
+  return Machine(test::pendulum(), {{drive}, {lowest}, {turn}, {room}});
 }
-Machine trolley(double arm = 0.5) { return Machine(contract::mechanism<Trolley>, {{arm}}); }
+Machine trolley(double arm = 0.5) { return Machine(test::trolley(), {{arm}}); }
 
 std::vector<double> uniform(double end, int count) {
   std::vector<double> out;

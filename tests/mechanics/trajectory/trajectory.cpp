@@ -95,7 +95,7 @@ TEST_CASE("the crank follows its slider at and between the samples, to the dead 
 }
 
 TEST_CASE("a pendulum at rest where it hangs stays there, and one with work done on it keeps its energy") {
-  const auto machine = machine_of(contract::mechanism<test::Pendulum>);
+  const auto machine = machine_of(test::pendulum());
   ForwardProblem p;
   p.actuator_forces = [](double, const std::vector<Scalar>&, double* forces) { *forces = 0.5; };
   p.gravity = {0, 0, -9.81};
@@ -115,7 +115,7 @@ TEST_CASE("a pendulum at rest where it hangs stays there, and one with work done
 }
 
 TEST_CASE("a stroke that ends a motion from forces leaves the samples beyond without a pose") {
-  const pm_mechanism& table = contract::mechanism<test::Pendulum>;
+  const pm_mechanism& table = test::pendulum();
   ParameterValues values = default_values(describe(table));
   values[1] = {-5};  // lower end of the stroke
   const Machine machine(table, values);
