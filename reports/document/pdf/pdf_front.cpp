@@ -211,7 +211,8 @@ void put_key_numbers(Composer& c, const std::vector<Entry>& sections) {
   const int table = c.add("Table");
   for (const KeyNumber& k : c.report.key_numbers) {
     const Entry* entry = entry_of(c, sections, k.section);
-    const Lines what(c.cr, markup_line(k.what), body, value_at - 8), value(c.cr, markup_line(k.value), strong, bar_at - value_at - 6);
+    const Lines what(c.cr, markup_line(k.what), body, value_at - 8),
+        value(c.cr, markup_line(k.value), strong, (k.limited() ? bar_at : limit_at) - value_at - 6);  // a bar stands where it is limited
     const std::string percent = k.limited() ? coloured(fmt::format("{:.0f} %", 100 * k.used), k.broken() ? bad : grey) + "  " : "";
     const std::string limit = percent + markup_line(k.limit), where = markup_line(k.where);
     const Lines beside(c.cr, limit + (limit.empty() || where.empty() ? "" : "\n") + coloured(where, grey), secondary_ink,

@@ -214,7 +214,9 @@ Table workspace_volumes(const Workspace& w) {
 
 Table workspace_extent(const Workspace& w, const mechanics::Machine& machine) {
   const std::uint64_t need = w.request.at_least.empty() ? 1 : w.request.at_least.front();
-  Table t{"Extent of the workspace", {"coordinate", "least", "most", "centroid"}, {false, true, true, true}, {}};
+  Table t{"Extent of the workspace", {"coordinate", "least", "most"}, {false, true, true}, {}};
+  const bool centred = w.grid && !w.grid->centroid.empty();  // by its poses; boxes of a proof do not tell
+  if (centred) t.headings.push_back("centroid"), t.numeric.push_back(true);
   for (std::size_t i = 0; i < w.scan.points.size(); ++i) {
     const Coordinate& c = coordinate_of(machine, w.scan.points[i]);
     const auto bracket = [&](const program::Bounds& b) {
@@ -232,7 +234,7 @@ Table workspace_extent(const Workspace& w, const mechanics::Machine& machine) {
     // A sum of numbers that cancel leaves rounding.
     const scan::Axis& a = w.scan.points[i];
     const auto clean = [&](double x) { return std::abs(x) < 1e-12 * std::max(std::abs(a.from), std::abs(a.to)) ? 0.0 : x; };
-    row.push_back(w.grid && !w.grid->centroid.empty() ? show(clean(w.grid->centroid[i]), c.unit) : "-");
+    if (centred) row.push_back(show(clean(w.grid->centroid[i]), c.unit));
     t.rows.push_back(std::move(row));
   }
   return t;
