@@ -9,6 +9,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pmreport::chunks {
@@ -43,28 +44,30 @@ class Run {
 
   // All of them, in their order.
   void collect() {
-    struct Answers {
-      std::size_t chunk = 0;
-      Bytes bytes;
-    };
     std::size_t next = 0;
-    // Some more than there are threads, so that a chunk that takes long does not hold up the others.
+    // Some more than there are threads, so that a chunk that takes long does not hold up the others. What the pipeline hands on are
+    // numbers: of what owns memory it would lose those that are on their way when one throws. No two on their way have one place, for they
+    // leave in their order.
+    const std::size_t at_once = 4 * threads();
+    std::vector<Bytes> found(at_once);
     tbb::parallel_pipeline(
-        4 * threads(), tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& flow) -> std::size_t {
-                         watch_.stop_if_asked();
-                         if (next == work_.count) flow.stop();
-                         return next == work_.count ? 0 : next++;
-                       }) & tbb::make_filter<std::size_t, Answers>(tbb::filter_mode::parallel, [&](std::size_t chunk) {
-                         return Answers{chunk, answers(chunk)};
-                       }) & tbb::make_filter<Answers, void>(tbb::filter_mode::serial_in_order, [&](const Answers& a) {
-                         try {
-                           take_(a.chunk, a.bytes);
-                         } catch (const NotReadable&) {
-                           throw ChunkError(fmt::format("chunk {} of {} holds other answers than this program writes: remove the folder {}",
-                                                        a.chunk, work_.name, sharing_.folder.string()));
-                         }
-                         watch_.done(static_cast<double>(a.chunk + 1) / static_cast<double>(work_.count));
-                       }));
+        at_once, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& flow) -> std::size_t {
+                   watch_.stop_if_asked();
+                   if (next == work_.count) flow.stop();
+                   return next == work_.count ? 0 : next++;
+                 }) & tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, [&](std::size_t chunk) {
+                   found[chunk % at_once] = answers(chunk);
+                   return chunk;
+                 }) & tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order, [&](std::size_t chunk) {
+                   const Bytes bytes = std::move(found[chunk % at_once]);
+                   try {
+                     take_(chunk, bytes);
+                   } catch (const NotReadable&) {
+                     throw ChunkError(fmt::format("chunk {} of {} holds other answers than this program writes: remove the folder {}",
+                                                  chunk, work_.name, sharing_.folder.string()));
+                   }
+                   watch_.done(static_cast<double>(chunk + 1) / static_cast<double>(work_.count));
+                 }));
   }
 
   bool complete() const {
