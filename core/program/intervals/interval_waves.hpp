@@ -5,7 +5,7 @@
 #pragma once
 
 #if !defined(__ROUNDING_MATH__) && !defined(PMREPORT_ROUNDING_MATH)
-#error "Intervals need -frounding-math, which files named *_upward.cpp are compiled with: see core/program/rounding.hpp."
+#error "Intervals need -frounding-math, which files named *_upward.cpp are compiled with: see core/program/intervals/rounding.hpp."
 #endif
 
 #include <algorithm>
