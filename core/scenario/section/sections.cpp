@@ -141,7 +141,7 @@ std::vector<Section> read_sections(const Entry* entry, Kinds kinds, const std::o
   match_tables(out, kinds_at, kinds, tables, reader);
   const Measurable measurable{out, mechanism.topology, span, drives, kinds};
   // What names numbers of sections comes after what decides which numbers they have.
-  std::ranges::stable_partition(late, [](const Late& l) { return !l.of_others; });
+  std::stable_partition(late.begin(), late.end(), [](const Late& l) { return !l.of_others; });
   for (const Late& l : late) l.key->read(*l.entry, {reader, span, mechanism, &measurable, &origin}, *l.options);
   return out;
 }
