@@ -40,7 +40,8 @@ struct Series {
   static Series time(const Interval& span) {
     Series out;
     out.c[0] = span;
-    out.c[1] = Interval(1.0), out.degree = 1;
+    if constexpr (K > 0) out.c[1] = Interval(1.0);
+    out.degree = 1;
     return out;
   }
 
