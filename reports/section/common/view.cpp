@@ -1,7 +1,7 @@
 #include <reports/section/common/stage.hpp>
 
-#include <core/text/text.hpp>
 #include <core/text/units.hpp>
+#include <reports/figure/layout/axis.hpp>
 
 #include <fmt/core.h>
 
