@@ -1,7 +1,7 @@
 #include <reports/section/common/stage.hpp>
 
 #include <core/text/units.hpp>
-#include <reports/figure/layout/axis.hpp>
+#include <reports/section/common/words/words.hpp>
 
 #include <fmt/core.h>
 
