@@ -1,5 +1,6 @@
 // The actuators near a moving frame, over a span of time and a box of offsets: their partials and what is linear in these. The names are
-// those of followed_krawczyk.hpp, and so are the numbers of its equations. For files named *_upward.cpp (core/program/intervals/rounding.hpp).
+// those of followed_krawczyk.hpp, and so are the numbers of its equations. For files named *_upward.cpp
+// (core/program/intervals/rounding.hpp).
 #pragma once
 
 #include <core/analysis/proof/followed_krawczyk.hpp>
