@@ -252,6 +252,25 @@ TEST_CASE("arrows of force are to scale where the full force is told") {
   CHECK(length(10, 40) == Approx(longest / 4));
 }
 
+TEST_CASE("forces in joints begin at their centres, to the scale of the load, and one without a name has no label") {
+  const auto& m = rig(1);
+  scene::Extras extras;
+  extras.full_force = 40;
+  extras.joint_forces = {{1, {0, 20, 0}, "one 20 N"}, {0, {0, 0, 0}, "zero"}, {2, {-10, 0, 0}, ""}};
+  const scene::Scene s = scene::build(m, m.home_pose(), extras);
+  const auto arrows = of_color(s, scene::palette::reaction);
+  REQUIRE(arrows.size() == 4);  // shaft and head of two
+  const double longest = scene::longest_force * scene::overall_size(m);
+  CHECK(arrows[0].a.isApprox(m.centre(m.home_pose(), 1)));
+  CHECK((arrows[1].b - arrows[0].a).isApprox(Vector3d(0, longest / 2, 0)));
+  CHECK(arrows[2].a.isApprox(m.centre(m.home_pose(), 2)));
+  CHECK((arrows[3].b - arrows[2].a).isApprox(Vector3d(-longest / 4, 0, 0)));
+  std::multiset<std::string> names;
+  for (const scene::Label& l : s.labels) names.insert(l.text);
+  CHECK(names.count("one 20 N") == 1);
+  CHECK(names.count("zero") + names.count("") == 0);
+}
+
 TEST_CASE("a base that is seen through is a ghost with its rails, and nothing else is") {
   const auto& m = rig(1);
   scene::Extras extras;
