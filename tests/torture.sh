@@ -10,7 +10,7 @@ places=${1:-200}
 # shellcheck disable=SC2086  # a list of words
 install_packages $program_packages $test_packages
 [ -f build/build.ninja ] || cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DPMREPORT_TESTS=ON -DPMREPORT_LEVELS=
-cmake --build build --parallel "$(nproc)" --target pmreport pmreport-mpi fail_nth plain plugin-gough plugin-delta
+cmake --build build --parallel "$(nproc)" --target pmreport pmreport-mpi fail_nth plain plugin-gough
 
 program=$PWD/build/bin/pmreport spread=$PWD/tests/data/spread.toml shim=$(find "$PWD/build" -name libfail_nth.so)
 room=$(mktemp -d)

@@ -27,6 +27,7 @@ const pm_mechanism& arm();
 
 // Spatial slider-crank; see tests/given/slider_crank.hpp.
 const pm_mechanism& slider_crank();
+
 mechanics::Machine make(const pm_mechanism& table);
 mechanics::Machine make_hexapod(BaseJoint base);
 

@@ -1,11 +1,10 @@
 // Section `reactions` on a gantry whose reactions can be worked out by hand, and on the stage, where all of them are unique.
-#include <reports/scene/studio.hpp>
 #include <reports/section/checks.hpp>
-#include <reports/section/common/stage.hpp>
 #include <reports/section/reactions/reactions.hpp>
 
 #include <tests/scenario/trial.hpp>
 #include <tests/section/gantry.hpp>
+#include <tests/section/reactions/reactions_of.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -26,11 +25,6 @@ struct OnStage {  // at rest
   scenario::Loaded loaded;
   section::Analysis analysis;
 };
-
-section::Result reactions_of(const section::Analysis& a, const section::ReactionsOptions& request = {}) {
-  scene::Studio studio;
-  return section::reactions_section(a, request, section::Stage(a, studio));
-}
 
 using report_words::row_of;
 
@@ -68,7 +62,9 @@ TEST_CASE("a picture tells where, when and to what scale the joints carry their 
 
 TEST_CASE("where no joint carries a force there is no picture of forces") {
   const OnStage r(asked);
-  for (const document::Block& b : reactions_of(r.analysis).section.blocks) CHECK(!std::holds_alternative<document::Gallery>(b));
+  const section::Result out = reactions_of(r.analysis);
+  CHECK_THAT(gantry::text_of(out.section), Contains("All 10 components that the joints transmit are unique"));
+  for (const document::Block& b : out.section.blocks) CHECK(!std::holds_alternative<document::Gallery>(b));
 }
 
 TEST_CASE("the cone of a force that swings by twenty degrees either way has this half-angle") {

@@ -1,9 +1,9 @@
 // Section `stiffness`, and reactions that elasticity settles, on a carriage on two rails whose every number can be worked out by hand.
 #include <reports/scene/studio.hpp>
-#include <reports/section/reactions/reactions.hpp>
 #include <reports/section/stiffness/stiffness.hpp>
 
 #include <tests/section/gantry.hpp>
+#include <tests/section/reactions/reactions_of.hpp>
 
 #include <cmath>
 
@@ -33,11 +33,6 @@ section::Result told(const gantry::Run& r) {
 
 double at(const gantry::Run& r, const std::string& column, std::size_t sample) {
   return r.analysis.column(ColumnId::named(column))[sample];
-}
-
-section::Result reactions_of(const section::Analysis& a) {
-  scene::Studio studio;
-  return section::reactions_section(a, {}, section::Stage(a, studio));
 }
 
 }  // namespace
