@@ -21,7 +21,7 @@ folder=build/report
 install_packages $program_packages
 # A first report should come soon: the program and the plugin that the scenario uses, and no builds of it for newer processors. Where there
 # are some, they are kept up to date.
-[ -f build/build.ninja ] || cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DPMREPORT_TESTS=OFF -DPMREPORT_LEVELS=
+[ -f build/build.ninja ] || cmake -G Ninja -S . -B build -DCMAKE_BUILD_TYPE=Release -DPMREPORT_TESTS=OFF -DPMREPORT_LEVELS= -DCMAKE_UNITY_BUILD=ON
 mechanism=$(sed -n 's/^ *use *= *"\([a-z0-9-]*\)".*/\1/p' "$scenario" 2>/dev/null | head -n 1)
 if [ -f "plugins/$mechanism/mechanism.cpp" ]; then plugins=plugin-$mechanism; else plugins=plugins/all; fi
 cmake --build build --parallel "$(nproc)" --target pmreport "$plugins"

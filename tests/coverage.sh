@@ -14,7 +14,8 @@ done
 install_packages $program_packages $test_packages gcovr
 build=$PWD/build/coverage
 flags="-O0 -g1 --coverage -fprofile-update=atomic"
-[ -f "$build/build.ninja" ] || cmake -G Ninja -S . -B "$build" -DPMREPORT_LEVELS= -DCMAKE_BUILD_TYPE=Counted "-DCMAKE_CXX_FLAGS_COUNTED=$flags" \
+[ -f "$build/build.ninja" ] || cmake -G Ninja -S . -B "$build" -DCMAKE_UNITY_BUILD=ON -DPMREPORT_LEVELS= -DCMAKE_BUILD_TYPE=Counted \
+  "-DCMAKE_CXX_FLAGS_COUNTED=$flags" \
   "-DCMAKE_C_FLAGS_COUNTED=$flags"
 # shellcheck disable=SC2046  # a list of words
 cmake --build "$build" --parallel "$(nproc)" --target $(printf 'test_%s ' "$@")

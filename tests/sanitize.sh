@@ -21,7 +21,8 @@ done
 # shellcheck disable=SC2086  # lists of words
 install_packages $program_packages $test_packages
 build=$PWD/build/$(echo "$sanitizers" | tr , -)
-[ -f "$build/build.ninja" ] || cmake -G Ninja -S . -B "$build" -DPMREPORT_LEVELS= -DCMAKE_BUILD_TYPE=Checked "-DCMAKE_CXX_FLAGS_CHECKED=-g1 -O1 -D_GLIBCXX_ASSERTIONS" \
+[ -f "$build/build.ninja" ] || cmake -G Ninja -S . -B "$build" -DCMAKE_UNITY_BUILD=ON -DPMREPORT_LEVELS= -DCMAKE_BUILD_TYPE=Checked \
+  "-DCMAKE_CXX_FLAGS_CHECKED=-g1 -O1 -D_GLIBCXX_ASSERTIONS" \
   "-DCMAKE_C_FLAGS_CHECKED=-g1 -O1" "-DPMREPORT_SANITIZE=$sanitizers"
 # shellcheck disable=SC2046  # a list of words
 cmake --build "$build" --parallel "$(nproc)" --target $(printf 'test_%s ' "$@")

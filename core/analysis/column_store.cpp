@@ -1,15 +1,13 @@
 #include <core/analysis/column_store.hpp>
+#include <core/numbers.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
 namespace pmreport::analysis {
 
-namespace {
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-}
+namespace {}
 
 void ColumnStore::add(const ColumnId& id, std::size_t samples) { columns_[id].assign(samples, nan); }
 

@@ -37,6 +37,7 @@ struct Moved {
   std::string name, unit;  // SI
   double home = 0;
 };
+std::string names_of(const std::vector<Moved>& list);  // "x, y and z"
 struct Movables {
   explicit Movables(const MechanismPart& mechanism);  // whose topology is known
   std::vector<Moved> coordinates, actuators;

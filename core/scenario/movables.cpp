@@ -16,6 +16,12 @@ std::string without_rate(const std::string& name) {
   return name.ends_with(rate_suffix) ? name.substr(0, name.size() - rate_suffix.size()) : name;
 }
 
+std::string names_of(const std::vector<Moved>& list) {
+  std::vector<std::string> out;
+  for (const Moved& m : list) out.push_back(m.name);
+  return listed(out, "and");
+}
+
 Movables::Movables(const MechanismPart& mechanism) {
   for (const Coordinate& c : mechanism.topology->coordinates) coordinates.push_back({c.name, c.unit, c.home});
   for (std::size_t i = 0; i < mechanism.topology->actuators.size(); ++i) {

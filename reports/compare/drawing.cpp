@@ -19,13 +19,13 @@ std::pair<std::string, std::string> parts_of(const std::string& heading) {
   return {heading.substr(0, open), heading.substr(open + 2, heading.size() - open - 3)};
 }
 
-struct Curve {
+struct DrawnCurve {
   std::size_t report;
   const std::vector<double>&time, &y;
 };
 
-std::vector<Curve> curves_of(const Comparison& c, const CurveRow& row) {
-  std::vector<Curve> out;
+std::vector<DrawnCurve> curves_of(const Comparison& c, const CurveRow& row) {
+  std::vector<DrawnCurve> out;
   for (std::size_t r = 0; r < row.sources.size(); ++r) {
     if (!row.sources[r]) continue;
     const Curves& curves = c.reports[r]->curves[row.sources[r]->curves];
@@ -34,7 +34,7 @@ std::vector<Curve> curves_of(const Comparison& c, const CurveRow& row) {
   return out;
 }
 
-double largest_of(const std::vector<double>& y) {
+double largest_drawn(const std::vector<double>& y) {
   double out = 0;
   for (const double v : y)
     if (std::isfinite(v)) out = std::max(out, std::abs(v));
@@ -56,19 +56,19 @@ figure::Panel panel_of(const std::string& title, const std::string& label, const
 
 figure::Figure figure_of(const Comparison& c, const CurveRow& row, std::size_t number) {
   const auto [name, si] = parts_of(row.heading);
-  const std::vector<Curve> curves = curves_of(c, row);
+  const std::vector<DrawnCurve> curves = curves_of(c, row);
   double largest = 0, largest_difference = 0;
   std::vector<std::vector<double>> differences;
-  const Curve& first = curves.front();
-  for (const Curve& curve : curves) {
-    largest = std::max(largest, largest_of(curve.y));
+  const DrawnCurve& first = curves.front();
+  for (const DrawnCurve& curve : curves) {
+    largest = std::max(largest, largest_drawn(curve.y));
     std::vector<double> difference(first.time.size());
     for (std::size_t i = 0; i < first.time.size(); ++i) {
       const double seen =
           curve.time == first.time ? curve.y[i] : read_between(curve.time, curve.y, first.time[i], nth_of_instant(first.time, i));
       difference[i] = seen - first.y[i];
     }
-    largest_difference = std::max(largest_difference, largest_of(difference));
+    largest_difference = std::max(largest_difference, largest_drawn(difference));
     differences.push_back(std::move(difference));
   }
   const DisplayUnit unit = display_unit(si, largest), fine = display_unit(si, largest_difference);

@@ -66,10 +66,6 @@ bool crosses(int r, int c) {
   return (x < 2 && y < 7) || (y >= 2 && y < 4 && (x < 4 || x > 9));
 }
 
-constexpr Colour rgb(unsigned hex) {
-  return {static_cast<double>(hex >> 16 & 255U) / 255, static_cast<double>(hex >> 8 & 255U) / 255, static_cast<double>(hex & 255U) / 255};
-}
-
 }  // namespace
 
 Colour diverging(double value) {

@@ -24,11 +24,11 @@ std::string prefix_of(const std::string& id) {
 }
 
 // Each place where Cairo writes an id ends with the quote or parenthesis that follows it.
-struct Mark {
+struct IdPlace {
   std::string_view before;
   char after;
 };
-constexpr std::array<Mark, 3> marks{{{" id=\"", '"'}, {"href=\"#", '"'}, {"url(#", ')'}}};
+constexpr std::array<IdPlace, 3> marks{{{" id=\"", '"'}, {"href=\"#", '"'}, {"url(#", ')'}}};
 
 std::string with_own_ids(const std::string& svg, const std::string& prefix) {
   std::map<std::string, std::string, std::less<>> names;

@@ -7,10 +7,6 @@
 namespace pmreport::figure {
 namespace {
 
-constexpr Colour rgb(unsigned hex) {
-  return {static_cast<double>(hex >> 16 & 255U) / 255, static_cast<double>(hex >> 8 & 255U) / 255, static_cast<double>(hex & 255U) / 255};
-}
-
 // After M. Okabe, K. Ito: Color Universal Design (2008), for white ground: yellow is left out; blue, sky blue, purple and orange (now
 // ochre) are darkened until each stands out from white by 3:1 (WCAG 2.1, 1.4.11) and any two differ for protanopes and deuteranopes too.
 // Wine, slate and indigo extend the set.

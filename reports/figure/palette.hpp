@@ -36,6 +36,10 @@ constexpr double title_size = 8;  // [pt] text sizes
 constexpr double label_size = 7.5;
 constexpr double tick_size = 7;
 
+constexpr Colour rgb(unsigned hex) {
+  return {static_cast<double>(hex >> 16 & 255U) / 255, static_cast<double>(hex >> 8 & 255U) / 255, static_cast<double>(hex & 255U) / 255};
+}
+
 constexpr Colour ink{0.10, 0.10, 0.10};
 constexpr Colour quiet_ink{0.32, 0.32, 0.32};
 constexpr Colour grid_ink{0.88, 0.88, 0.88};

@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 
 // All lengths below are in units of the font size.
 constexpr double gaps[] = {0.20, 0.55, 1.0, 1.6, 2.4, 3.4, 4.8};  // between a point and its label
-constexpr int directions = 24;
+constexpr int places_around = 24;
 constexpr double spacing = 0.18;       // between two labels, and between a label and a joint
 constexpr double between_words = 0.8;  // beside one another, of labels of several words, which would be read as one
 constexpr double needs_leader = 1.3;   // a label farther than this gets a line
@@ -127,8 +127,8 @@ class Placer {
     std::vector<Candidate> all;
     if (a.clear == 0) all.push_back({box_around(a.at, a.width, a.height), 0, a.outward});
     for (const double gap : gaps)
-      for (int k = 0; k < directions; ++k) {
-        const double angle = 2 * std::numbers::pi * k / directions;
+      for (int k = 0; k < places_around; ++k) {
+        const double angle = 2 * std::numbers::pi * k / places_around;
         const Vector2d d(std::cos(angle), std::sin(angle));
         // The box touches the circle of radius clear + gap around the point, from outside, in direction d.
         const double reach = std::min(a.width / 2 / std::max(std::abs(d.x()), 1e-9), a.height / 2 / std::max(std::abs(d.y()), 1e-9));

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <core/numbers.hpp>
 #include <reports/scene/renderer.hpp>
 #include <reports/scene/shaders.hpp>
 #include <stdexcept>
@@ -65,8 +65,7 @@ Renderer::Frame::Frame(const Scene& s, const Camera& camera, const Quality& q, c
   for (int k = 0; k < 3; ++k) seen_to_world.block<3, 1>(0, k) = view.world(Eigen::Vector3d::Unit(k)) - view.world(Eigen::Vector3d::Zero());
   const Eigen::Matrix4d to_ground = fall * seen_to_world;
 
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(inf), high = -low;
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(infinity), high = -low;
   for (std::size_t k = 0; k < mesh.shadow_vertices; ++k) {
     const Vertex& x = mesh.vertices[k];
     const Eigen::Vector4d p(x.position[0], x.position[1], x.position[2], 1);

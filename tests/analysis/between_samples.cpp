@@ -4,6 +4,7 @@
 #include <core/analysis/samples/stretch.hpp>
 #include <core/analysis/study/between_samples.hpp>
 #include <core/analysis/study/instant.hpp>
+#include <core/numbers.hpp>
 #include <tests/analysis/run.hpp>
 #include <tests/scenario/trial.hpp>
 
@@ -14,8 +15,6 @@ using analysis::ColumnId;
 using trial::Run;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // Two seconds of a motion, so many samples, these kinds of section.
 Run moving(const std::string& motion, int samples, const std::vector<std::string>& kinds = {"displacement"}) {

@@ -10,15 +10,15 @@ using namespace pmreport::analysis;
 
 namespace {
 
-using Point = std::vector<double>;
-using Function = std::function<double(const Point&)>;
+using Variables = std::vector<double>;
+using OfVariables = std::function<double(const Variables&)>;
 
 DesignProblem problem_of(std::vector<DesignVariable> variables, bool maximise, std::vector<DesignConstraint> constraints,
-                         std::vector<Function> functions) {
+                         std::vector<OfVariables> functions) {
   DesignProblem p{std::move(variables), {{0, maximise}, {1, maximise}}, std::move(constraints), {}, {}};
-  p.judge = p.confirm = [functions](const Point& x) {
+  p.judge = p.confirm = [functions](const Variables& x) {
     Judged out;
-    for (const Function& f : functions) out.numbers.push_back(Bracketed::plain(f(x)));
+    for (const OfVariables& f : functions) out.numbers.push_back(Bracketed::plain(f(x)));
     return out;
   };
   return p;
@@ -51,9 +51,9 @@ double largest_gap(const Front& f) {
 }  // namespace
 
 TEST_CASE("the front of x and y within a circle is the quarter of the circle between its ends") {
-  const DesignProblem p = problem_of(
-      {{"x", 0, 1, 0.2}, {"y", 0, 1, 0.3}}, true, {{2, true, 1}},
-      {[](const Point& x) { return x[0]; }, [](const Point& x) { return x[1]; }, [](const Point& x) { return x[0] * x[0] + x[1] * x[1]; }});
+  const DesignProblem p = problem_of({{"x", 0, 1, 0.2}, {"y", 0, 1, 0.3}}, true, {{2, true, 1}},
+                                     {[](const Variables& x) { return x[0]; }, [](const Variables& x) { return x[1]; },
+                                      [](const Variables& x) { return x[0] * x[0] + x[1] * x[1]; }});
   const Front f = front(p, 9, 400, {});
   check_front(p, f, 9, 400);
   REQUIRE(f.points.size() >= 7);
@@ -72,7 +72,7 @@ TEST_CASE("Fonseca and Fleming's front, which curves inward, has its middle as w
   // f = 1 - exp(-|x -+ c|^2), c = (1, 1) / sqrt 2: the best variants lie on the line between c and -c.
   const double c = 1 / std::sqrt(2.0);
   const auto f = [c](double sign) {
-    return [c, sign](const Point& x) { return 1 - std::exp(-std::pow(x[0] - sign * c, 2) - std::pow(x[1] - sign * c, 2)); };
+    return [c, sign](const Variables& x) { return 1 - std::exp(-std::pow(x[0] - sign * c, 2) - std::pow(x[1] - sign * c, 2)); };
   };
   const DesignProblem p = problem_of({{"x", -2, 2, 1.5}, {"y", -2, 2, -1}}, false, {}, {f(1), f(-1)});
   const Front found = front(p, 9, 500, {});
@@ -90,8 +90,8 @@ TEST_CASE("Fonseca and Fleming's front, which curves inward, has its middle as w
 
 TEST_CASE("a point that falls behind once it is confirmed leaves the front, and is counted") {
   DesignProblem p =
-      problem_of({{"x", 0, 1, 0.5}}, true, {}, {[](const Point& x) { return x[0]; }, [](const Point& x) { return 1 - x[0]; }});
-  p.confirm = [&](const Point& x) {
+      problem_of({{"x", 0, 1, 0.5}}, true, {}, {[](const Variables& x) { return x[0]; }, [](const Variables& x) { return 1 - x[0]; }});
+  p.confirm = [&](const Variables& x) {
     const double y = x[0] > 0.4 && x[0] < 0.6 ? 0.0 : 1 - x[0];
     return Judged{{Bracketed::plain(x[0]), Bracketed::plain(y)}};
   };
@@ -104,8 +104,8 @@ TEST_CASE("a point that falls behind once it is confirmed leaves the front, and 
 }
 
 TEST_CASE("a front that nothing may lie on is empty, with the variant that comes nearest") {
-  const DesignProblem p =
-      problem_of({{"x", 0, 1, 0.5}}, true, {{0, false, 2}}, {[](const Point& x) { return x[0]; }, [](const Point& x) { return -x[0]; }});
+  const DesignProblem p = problem_of({{"x", 0, 1, 0.5}}, true, {{0, false, 2}},
+                                     {[](const Variables& x) { return x[0]; }, [](const Variables& x) { return -x[0]; }});
   const Front f = front(p, 3, 30, {});
   CHECK(f.points.empty());
   REQUIRE(f.nearest);

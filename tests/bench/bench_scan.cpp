@@ -3,6 +3,7 @@
 #include <core/host/plugin_file.hpp>
 #include <core/mechanics/machine/machine.hpp>
 #include <core/mechanics/workspace/pose_limits.hpp>
+#include <core/numbers.hpp>
 #include <core/scan/grid.hpp>
 #include <tests/bench/hand_scan.hpp>
 #include <tests/bench/timing.hpp>
@@ -14,15 +15,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <span>
 
 using namespace pmreport;
 using bench::HandScan;
 
 namespace {
-
-constexpr double deg = std::numbers::pi / 180;
 
 // x and y from -1.6 to 1.6 m, z above the base to as much; at each point orientations by 10 degrees up to 60 about each axis.
 scan::Scan grid(double step) {

@@ -18,7 +18,7 @@ using sample::count;
 
 namespace {
 
-const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+const double unknown_number = std::numeric_limits<double>::quiet_NaN();
 
 // A line in each state, its reason "because of STATE".
 Evidence line_in(Verdict state) {
@@ -29,7 +29,7 @@ Evidence line_in(Verdict state) {
     case Verdict::failed:
       return {claim, "compared", 1e-6, 1e-9, "m", reason};
     case Verdict::error:
-      return {claim, "compared", not_a_number, 1e-9, "m", reason};
+      return {claim, "compared", unknown_number, 1e-9, "m", reason};
     default:
       return Evidence::without_value(state, claim, "compared", reason);
   }
@@ -192,7 +192,7 @@ TEST_CASE("a check that a bracket decides says so in results.json") {
 }
 
 TEST_CASE("words stand before numbers in a data file, quoted where they must be") {
-  const Data d{"every_instant", {"quantity", "unit", "least_low"}, {{0.5, not_a_number}}, {{"l1", "a,b"}, {"m", "=1"}}};
+  const Data d{"every_instant", {"quantity", "unit", "least_low"}, {{0.5, unknown_number}}, {{"l1", "a,b"}, {"m", "=1"}}};
   CHECK(to_csv(d) == "quantity,unit,least_low\nl1,m,0.5\n\"a,b\",'=1,\n");
   CHECK_THROWS_AS(to_csv({"d", {"a", "b"}, {{1, 2}}, {{"one"}}}), std::logic_error);
 }

@@ -10,6 +10,7 @@
 #include <reports/figure/surface.hpp>
 
 using namespace pmreport::document;
+using sample::contains;
 
 namespace {
 
@@ -53,8 +54,6 @@ Picture& first_picture(Report& r) {
       if (auto* g = std::get_if<Gallery>(&b)) return g->pictures[0];
   throw std::logic_error("the sample has no pictures");
 }
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 

@@ -38,7 +38,7 @@ inline std::string broken_by_results(const std::string& bytes) {
     if (const std::string broken = broken_by_refusal(e.what()); !broken.empty()) return broken;
   }
   if (two[0].values.size() != two[1].values.size()) return {};  // the second was not read, for the first was refused
-  const Comparison comparison = compare(two, {});
+  const Comparison comparison = pmreport::compare::compare(two, {});
   for (const ValueRow& row : comparison.values)
     if (row.differs || !row.everywhere) return "a value that is not itself";
   for (const JudgementRow& row : comparison.judgements)

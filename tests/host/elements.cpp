@@ -1,22 +1,10 @@
 // Elastic elements through the contract: of plugins that declare some, of those that could not yet, of those that declare nonsense.
 #include <catch2/catch.hpp>
-#include <core/host/plugin_file.hpp>
-#include <core/mechanics/machine/machine.hpp>
+#include <tests/host/slider.hpp>
 
 #include <cmath>
 
 using namespace pmreport;
-using mechanics::Machine;
-
-namespace {
-
-struct Slider {
-  host::PluginFile file;
-  Machine machine;
-  explicit Slider(const std::string& fixture) : file(host::load_plugin(FIXTURES "/" + fixture + ".so")), machine(*file.mechanisms[0], {}) {}
-};
-
-}  // namespace
 
 TEST_CASE("a plugin in plain C declares what gives way") {
   const Slider slider("plain");

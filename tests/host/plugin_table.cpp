@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <core/host/plugin_file.hpp>
 #include <core/host/plugin_table.hpp>
+#include <core/numbers.hpp>
 #include <cstring>
 #include <functional>
 #include <limits>
@@ -75,7 +76,6 @@ std::string judgement(const Table& t) {
 }
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 

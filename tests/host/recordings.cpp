@@ -1,23 +1,16 @@
 // Plugins of every version of the contract that there was, with and without a recording.
 #include <catch2/catch.hpp>
-#include <core/host/plugin_file.hpp>
 #include <core/mechanics/conformance/properties.hpp>
 #include <core/program/program.hpp>
+#include <tests/host/slider.hpp>
 
 #include <algorithm>
 
 using namespace pmreport;
-using mechanics::Machine;
 using mechanics::Property;
 using mechanics::Verdict;
 
 namespace {
-
-struct Slider {
-  host::PluginFile file;
-  Machine machine;
-  explicit Slider(const std::string& fixture) : file(host::load_plugin(FIXTURES "/" + fixture + ".so")), machine(*file.mechanisms[0], {}) {}
-};
 
 bool needs_recording(const Property& p) { return p.claim.starts_with("recording "); }
 

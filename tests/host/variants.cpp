@@ -13,7 +13,7 @@
 
 namespace {
 
-constexpr const char* mechanism = "4sps-spr";
+constexpr const char* tried_mechanism = "4sps-spr";
 constexpr std::uint64_t seed = 20170401;
 const std::string original = std::string(PLUGINS) + "/4sps-spr.so";
 
@@ -88,7 +88,7 @@ std::vector<std::vector<double>> samples_printed_by(const std::string& command) 
 }
 
 std::string check_with(const std::string& checker, const std::string& file) {
-  return fmt::format("'{}' '{}' {} {}", checker, file, mechanism, seed);
+  return fmt::format("'{}' '{}' {} {}", checker, file, tried_mechanism, seed);
 }
 
 }  // namespace

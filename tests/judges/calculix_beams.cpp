@@ -17,8 +17,8 @@ constexpr double one_place = 1e-5;
 // ratio in digits.
 constexpr double close = 1e-2;
 
-Vector6d force(const Vector3d& along) { return (Vector6d() << along, Vector3d::Zero()).finished(); }
-Vector6d moment(const Vector3d& about) { return (Vector6d() << Vector3d::Zero(), about).finished(); }
+Vector6d unit_force(const Vector3d& along) { return (Vector6d() << along, Vector3d::Zero()).finished(); }
+Vector6d unit_moment(const Vector3d& about) { return (Vector6d() << Vector3d::Zero(), about).finished(); }
 
 }  // namespace
 
@@ -143,10 +143,11 @@ void CalculixModel::add_stretch(const Beam& beam, int from, int to) {
   if (e.bends == Bending::full) return deck_.add_bar(from, to, {axial, torsion, about_x, about_y, beam.x});
   const double l = (deck_.place(to) - deck_.place(from)).norm();
   const Vector3d y = beam.n.cross(beam.x), end = beam.root + beam.n * beam.length;
-  std::vector<Elastic> gives{{force(beam.n), deck_.add_spring(axial / l), false}, {moment(beam.n), deck_.add_spring(torsion / l), false}};
+  std::vector<Elastic> gives{{unit_force(beam.n), deck_.add_spring(axial / l), false},
+                             {unit_moment(beam.n), deck_.add_spring(torsion / l), false}};
   if (e.bends == Bending::couples) {
-    gives.push_back({moment(beam.x), deck_.add_spring(about_x / l), false});
-    gives.push_back({moment(y), deck_.add_spring(about_y / l), false});
+    gives.push_back({unit_moment(beam.x), deck_.add_spring(about_x / l), false});
+    gives.push_back({unit_moment(y), deck_.add_spring(about_y / l), false});
   }
   for (int k = 0; k < 6; ++k) connect(from, to, end, Vector6d::Unit(k), gives);
 }

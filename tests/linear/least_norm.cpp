@@ -10,25 +10,25 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 
 namespace {
-constexpr double rounding = 1e-13;
+constexpr double rounding_of_least_norm = 1e-13;
 }
 
 TEST_CASE("of all that solve one equation the answer is the nearest to zero") {
   const VectorXd x = least_norm_solution((MatrixXd(1, 2) << 1, 2).finished(), VectorXd::Constant(1, 5));
-  CHECK((x - Vector2d(1, 2)).norm() < rounding);
+  CHECK((x - Vector2d(1, 2)).norm() < rounding_of_least_norm);
 }
 
 TEST_CASE("equations that contradict one another are met in the mean") {
   const VectorXd x = least_norm_solution(MatrixXd::Ones(2, 1), Vector2d(1, 3));
-  CHECK(x(0) == Approx(2).epsilon(rounding));
+  CHECK(x(0) == Approx(2).epsilon(rounding_of_least_norm));
 }
 
 TEST_CASE("an answer has nothing in the null space, and its error is across all columns") {
   pmreport::test::Matrices random(14);
   const MatrixXd a = random(9, 4) * random(4, 7);  // of rank 4, in either way short
   const VectorXd b = random(9, 1), x = least_norm_solution(a, b);
-  CHECK((a.transpose() * (a * x - b)).norm() < rounding * 10);
-  CHECK((x - least_norm_solution(a, a * x)).norm() < rounding * 10 * x.norm());
+  CHECK((a.transpose() * (a * x - b)).norm() < rounding_of_least_norm * 10);
+  CHECK((x - least_norm_solution(a, a * x)).norm() < rounding_of_least_norm * 10 * x.norm());
 }
 
 TEST_CASE("the tolerance decides whether a weak equation counts") {

@@ -9,7 +9,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 namespace {
-constexpr double rounding = 1e-12;  // random matrices of up to six rows, condition numbers below 1000
+constexpr double rounding_of_scaled_inverse = 1e-12;  // random matrices of up to six rows, condition numbers below 1000
 }
 
 TEST_CASE("a matrix times its scaled inverse is the scale along the diagonal") {
@@ -19,7 +19,7 @@ TEST_CASE("a matrix times its scaled inverse is the scale along the diagonal") {
       const SmallMatrix a = random(n, n);
       const ScaledInverse t = scaled_inverse(a);
       REQUIRE(t.scale != 0);
-      CHECK((a * t.columns - t.scale * MatrixXd::Identity(n, n)).norm() < rounding);
+      CHECK((a * t.columns - t.scale * MatrixXd::Identity(n, n)).norm() < rounding_of_scaled_inverse);
     }
 }
 
@@ -30,11 +30,11 @@ TEST_CASE("of a matrix without an inverse the scale is zero and the columns poin
     const Eigen::VectorXd null = random(n, 1).col(0).normalized();
     a = (a - a * null * null.transpose()).eval();
     const ScaledInverse t = scaled_inverse(a);
-    CHECK(std::abs(t.scale) < rounding);
+    CHECK(std::abs(t.scale) < rounding_of_scaled_inverse);
     for (Index i = 0; i < n; ++i) {
       const Eigen::VectorXd column = t.columns.col(i);
       REQUIRE(column.norm() > 1e-3);
-      CHECK((column - column.dot(null) * null).norm() < rounding * column.norm());
+      CHECK((column - column.dot(null) * null).norm() < rounding_of_scaled_inverse * column.norm());
     }
   }
   const SmallMatrix twice = (SmallMatrix(2, 2) << 1, 2, 2, 4).finished();  // singular without any rounding

@@ -11,7 +11,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double rounding = 1e-13;
+constexpr double rounding_of_singular_values = 1e-13;
 
 // m^T m = (25 20; 20 25): singular values 3 sqrt(5) and sqrt(5), with (1, 1) and (1, -1) on the right, (1, 3) and (3, -1) on the left.
 MatrixXd known() { return (MatrixXd(2, 2) << 3, 0, 4, 5).finished(); }
@@ -30,8 +30,8 @@ MatrixXd deceptive(Eigen::Index n) {
 TEST_CASE("singular values of a matrix worked out by hand") {
   const VectorXd s = singular_values(known());
   REQUIRE(s.size() == 2);
-  CHECK(s(0) == Approx(3 * std::sqrt(5)).epsilon(rounding));
-  CHECK(s(1) == Approx(std::sqrt(5)).epsilon(rounding));
+  CHECK(s(0) == Approx(3 * std::sqrt(5)).epsilon(rounding_of_singular_values));
+  CHECK(s(1) == Approx(std::sqrt(5)).epsilon(rounding_of_singular_values));
   CHECK(singular_values(MatrixXd(known().leftCols(1))).size() == 1);
 }
 
@@ -39,19 +39,19 @@ TEST_CASE("the same in a matrix of six rows, and the directions that are stretch
   Matrix6d m = Matrix6d::Identity() * 3;
   m.topLeftCorner<2, 2>() = known();
   const Vector6d s = singular_values(m);
-  CHECK(s(0) == Approx(3 * std::sqrt(5)).epsilon(rounding));
-  CHECK(s(5) == Approx(std::sqrt(5)).epsilon(rounding));
+  CHECK(s(0) == Approx(3 * std::sqrt(5)).epsilon(rounding_of_singular_values));
+  CHECK(s(5) == Approx(std::sqrt(5)).epsilon(rounding_of_singular_values));
   const RightSingular right = right_singular(m);
-  CHECK((right.values - s).norm() < rounding);
-  CHECK(along(right.vectors.col(0).head(2), Vector2d(1, 1)) == Approx(1).epsilon(rounding));
-  CHECK(along(right.vectors.col(5).head(2), Vector2d(1, -1)) == Approx(1).epsilon(rounding));
+  CHECK((right.values - s).norm() < rounding_of_singular_values);
+  CHECK(along(right.vectors.col(0).head(2), Vector2d(1, 1)) == Approx(1).epsilon(rounding_of_singular_values));
+  CHECK(along(right.vectors.col(5).head(2), Vector2d(1, -1)) == Approx(1).epsilon(rounding_of_singular_values));
 }
 
 TEST_CASE("left singular vectors are where the stretched directions go") {
   const LeftSingular left = left_singular(known());
-  CHECK(left.values(0) == Approx(3 * std::sqrt(5)).epsilon(rounding));
-  CHECK(along(left.vectors.col(0), Vector2d(1, 3)) == Approx(1).epsilon(rounding));
-  CHECK(along(left.vectors.col(1), Vector2d(3, -1)) == Approx(1).epsilon(rounding));
+  CHECK(left.values(0) == Approx(3 * std::sqrt(5)).epsilon(rounding_of_singular_values));
+  CHECK(along(left.vectors.col(0), Vector2d(1, 3)) == Approx(1).epsilon(rounding_of_singular_values));
+  CHECK(along(left.vectors.col(1), Vector2d(3, -1)) == Approx(1).epsilon(rounding_of_singular_values));
 }
 
 TEST_CASE("rank by singular values knows a matrix near to a singular one though no column of it is small") {
@@ -68,7 +68,7 @@ TEST_CASE("unit rows that are equal but for a ten-billionth hold one motion, not
   const MatrixXd free = null_space_by_singular_values(rows);
   REQUIRE(free.cols() == 3);
   CHECK((rows * free).cwiseAbs().maxCoeff() < 2e-10);
-  CHECK((free.transpose() * free - MatrixXd::Identity(3, 3)).norm() < rounding);
+  CHECK((free.transpose() * free - MatrixXd::Identity(3, 3)).norm() < rounding_of_singular_values);
   rows(1, 1) = 1e-8;
   CHECK(null_space_by_singular_values(rows).cols() == 2);
 }

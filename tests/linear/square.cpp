@@ -13,7 +13,7 @@ using Eigen::MatrixXd;
 
 namespace {
 
-constexpr double rounding = 1e-12;  // random matrices of six rows, condition numbers below 100
+constexpr double rounding_of_square = 1e-12;  // random matrices of six rows, condition numbers below 100
 
 SmallMatrix two(double a, double b, double c, double d) { return (SmallMatrix(2, 2) << a, b, c, d).finished(); }
 SmallVector two(double a, double b) { return (SmallVector(2) << a, b).finished(); }
@@ -23,9 +23,9 @@ SmallVector two(double a, double b) { return (SmallVector(2) << a, b).finished()
 TEST_CASE("the determinant is the product of a triangle's diagonal, and changes its sign with two rows") {
   Matrix6d m = pmreport::test::Matrices(15)(6, 6).triangularView<Eigen::Lower>();
   m.diagonal() << 1, 2, -3, 4, 5, 0.5;
-  CHECK(determinant(m) == Approx(-60).epsilon(rounding));
+  CHECK(determinant(m) == Approx(-60).epsilon(rounding_of_square));
   m.row(1).swap(m.row(4));
-  CHECK(determinant(m) == Approx(60).epsilon(rounding));
+  CHECK(determinant(m) == Approx(60).epsilon(rounding_of_square));
 }
 
 TEST_CASE("solutions satisfy their equations, of the matrix and of its transpose") {
@@ -33,20 +33,20 @@ TEST_CASE("solutions satisfy their equations, of the matrix and of its transpose
   for (int k = 0; k < 20; ++k) {
     const Matrix6d a = random(6, 6) + 3 * MatrixXd::Identity(6, 6);
     const Vector6d b = random(6, 1);
-    CHECK((a * solution(a, b) - b).norm() < rounding);
-    CHECK((a.transpose() * solution_of_transpose(a, b) - b).norm() < rounding);
+    CHECK((a * solution(a, b) - b).norm() < rounding_of_square);
+    CHECK((a.transpose() * solution_of_transpose(a, b) - b).norm() < rounding_of_square);
     const SmallMatrix small = a;
-    CHECK((small * SmallFactors(small).solve(b) - b).norm() < rounding);
-    CHECK((small.transpose() * SmallFactorsOfTranspose(small.transpose()).solve(b) - b).norm() < rounding);
-    CHECK(SmallFactors(small).determinant() == Approx(determinant(a)).epsilon(rounding));
-    CHECK((small * inverse(small) - MatrixXd::Identity(6, 6)).norm() < rounding);
+    CHECK((small * SmallFactors(small).solve(b) - b).norm() < rounding_of_square);
+    CHECK((small.transpose() * SmallFactorsOfTranspose(small.transpose()).solve(b) - b).norm() < rounding_of_square);
+    CHECK(SmallFactors(small).determinant() == Approx(determinant(a)).epsilon(rounding_of_square));
+    CHECK((small * inverse(small) - MatrixXd::Identity(6, 6)).norm() < rounding_of_square);
   }
 }
 
 TEST_CASE("a positive definite system is solved, another one refused") {
   const auto x = solution_of_positive_definite(two(1, 0.5, 0.5, 1), two(2, 2.5), 1e-13);
   REQUIRE(x);
-  CHECK((*x - two(1, 2)).norm() < rounding);
+  CHECK((*x - two(1, 2)).norm() < rounding_of_square);
   CHECK_FALSE(solution_of_positive_definite(two(1, 1, 1, 1), two(1, 1), 1e-13));    // singular
   CHECK_FALSE(solution_of_positive_definite(two(1, 2, 2, 1), two(1, 1), 1e-13));    // indefinite
   CHECK_FALSE(solution_of_positive_definite(two(1, 0.5, 0.5, 1), two(1, 1), 0.8));  // its pivots are 1 and 3/4
@@ -88,17 +88,17 @@ TEST_CASE("a matrix that is not square has no inverse") { CHECK_THROWS_AS(invers
 TEST_CASE("eigenvalues of symmetric matrices worked out by hand, smallest first") {
   Eigen::Matrix3d m;
   m << 2, 1, 0, 1, 2, 0, 0, 0, 5;
-  CHECK((symmetric_eigenvalues(m) - Eigen::Vector3d(1, 3, 5)).norm() < rounding);
-  CHECK((symmetric_eigenvalues(two(2, 1, 1, 2)) - two(1, 3)).norm() < rounding);
+  CHECK((symmetric_eigenvalues(m) - Eigen::Vector3d(1, 3, 5)).norm() < rounding_of_square);
+  CHECK((symmetric_eigenvalues(two(2, 1, 1, 2)) - two(1, 3)).norm() < rounding_of_square);
 }
 
 TEST_CASE("stationary vectors are those at which a quotient of two forms has its extremes") {
   // x^T a x / x^T b x with a = diag(1, 8), b = diag(1, 2): 1 along the first axis, 4 along the second.
   const MatrixXd x = stationary_vectors(Eigen::Vector2d(1, 8).asDiagonal(), Eigen::Vector2d(1, 2).asDiagonal());
-  CHECK(std::abs(x(0, 0)) == Approx(1).epsilon(rounding));
-  CHECK(std::abs(x(1, 0)) < rounding);
-  CHECK(std::abs(x(0, 1)) < rounding);
-  CHECK(std::abs(x(1, 1)) == Approx(std::sqrt(0.5)).epsilon(rounding));
+  CHECK(std::abs(x(0, 0)) == Approx(1).epsilon(rounding_of_square));
+  CHECK(std::abs(x(1, 0)) < rounding_of_square);
+  CHECK(std::abs(x(0, 1)) < rounding_of_square);
+  CHECK(std::abs(x(1, 1)) == Approx(std::sqrt(0.5)).epsilon(rounding_of_square));
   CHECK_THROWS_AS(stationary_vectors(MatrixXd::Identity(2, 2), MatrixXd::Identity(3, 3)), pmreport::AssertionFailed);
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("a broken promise names its place and says what it was") {
   }
 }
 
-TEST_CASE("the sign of a determinant is told as far as rounding of the rows lets it be known") {
+TEST_CASE("the sign of a determinant is told as far as rounding_of_square of the rows lets it be known") {
   pmreport::test::Matrices random(17);
   int told = 0;
   for (int k = 0; k < 50; ++k) {

@@ -1,3 +1,4 @@
+#include <core/numbers.hpp>
 #include <pmreport/mechanism.hpp>
 #include <tests/mechanics/mechanisms.hpp>
 
@@ -8,7 +9,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr const char* base_joints[] = {"ball", "universal"};
-constexpr double deg = std::numbers::pi / 180;
 constexpr double azimuth_a[] = {15 * deg, 105 * deg, 135 * deg, 225 * deg, 255 * deg, 345 * deg};
 constexpr double azimuth_b[] = {45 * deg, 75 * deg, 165 * deg, 195 * deg, 285 * deg, 315 * deg};
 

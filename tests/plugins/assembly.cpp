@@ -131,7 +131,7 @@ TEST_CASE("the P(2PRPU)/PRPS has eight modes in mirror pairs at every reference 
     }
   }
   // Close to the pose of Table 2 there is another.
-  CHECK(modes_at(machine, table2).modes[1].coordinates(4) == Approx(-41.096 * test::deg).margin(1e-5));
+  CHECK(modes_at(machine, table2).modes[1].coordinates(4) == Approx(-41.096 * deg).margin(1e-5));
 }
 
 TEST_CASE("Gough's, Stewart's and the parallel-cross mechanisms have their modes in pairs mirrored in the base") {

@@ -4,6 +4,7 @@
 #include <core/mechanics/model/constraint_scale.hpp>
 #include <core/mechanics/model/random_poses.hpp>
 #include <core/mechanics/singularity/body_freedoms.hpp>
+#include <core/numbers.hpp>
 #include <tests/plugins/every_mechanism.hpp>
 #include <tests/plugins/par4.hpp>
 
@@ -13,8 +14,6 @@ using namespace pmreport;
 using namespace pmreport::mechanics;
 
 namespace {
-
-constexpr double deg = std::numbers::pi / 180;
 
 // Motions of all bodies with the actuators locked, by singular values: as many as the idle freedoms, where nothing is lost.
 Eigen::Index freedoms(const Machine& machine, const State& s, bool locked) {

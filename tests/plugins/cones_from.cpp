@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double rounding = 1e-12;  // of cosines
+constexpr double rounding_of_cosines = 1e-12;  // of cosines
 
 // A ball and the joint at the other end of what its stud belongs to: together they lie on the stud's axis.
 struct Ball {
@@ -80,7 +80,7 @@ TEST_CASE("a cone that counts from the normal bounds the angle between leg and n
           const Vector3d along = (machine->centre(pose, head) - machine->centre(pose, foot)).normalized();
           const Vector3d normal = machine->rotation(pose, b.on_platform ? machine->topology().platform : 0).col(2);
           const double seen = closure.motion(bodies, b.on_platform ? head : foot).at(0);
-          CHECK(std::abs(std::cos(seen) - b.side * along.dot(normal)) < rounding);
+          CHECK(std::abs(std::cos(seen) - b.side * along.dot(normal)) < rounding_of_cosines);
           CHECK((seen >= 0 && seen <= std::numbers::pi));
         }
       }
@@ -106,8 +106,8 @@ TEST_CASE("counted from the normal the ball of the P(2PRPU)/PRPS has the limit o
   const int ball = test::joint_named(*exact, "S1");
   const auto limit = [&](const Machine& machine) { return machine.topology().joints[static_cast<std::size_t>(ball)].limits.at(0).max; };
   const double lean = std::numbers::pi / 6, h = 0.24, longest = 1.49;
-  CHECK(limit(*exact) == Approx(lean).epsilon(rounding));
-  CHECK(limit(*wide) == Approx(lean + std::atan2(0.8 - h, 1.15)).epsilon(rounding));  // home leans by as much the other way
+  CHECK(limit(*exact) == Approx(lean).epsilon(rounding_of_cosines));
+  CHECK(limit(*wide) == Approx(lean + std::atan2(0.8 - h, 1.15)).epsilon(rounding_of_cosines));  // home leans by as much the other way
 
   const auto deflection = [&](double angle) {
     const Eigen::VectorXd q = (Eigen::VectorXd(5) << h + longest * std::sin(angle), 0, longest * std::cos(angle), 0, 0).finished();
@@ -115,7 +115,7 @@ TEST_CASE("counted from the normal the ball of the P(2PRPU)/PRPS has the limit o
     REQUIRE(pose.status == PM_OK);
     return Closure(*exact).motion(bodies_at_rest(*exact, pose), ball).at(0);
   };
-  CHECK(deflection(lean) == Approx(limit(*exact)).epsilon(rounding));
+  CHECK(deflection(lean) == Approx(limit(*exact)).epsilon(rounding_of_cosines));
   CHECK(deflection(lean + 1e-6) > limit(*exact));
   CHECK(deflection(lean - 1e-6) < limit(*exact));
 }

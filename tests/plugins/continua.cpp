@@ -1,6 +1,7 @@
 // Gough's platforms that are singular at every pose: their assembly modes are curves and surfaces of poses, not points.
 #include <core/mechanics/assembly/assembly.hpp>
 
+#include <core/numbers.hpp>
 #include <tests/plugins/hexapods.hpp>
 
 #include <Eigen/Geometry>
@@ -12,11 +13,9 @@ using Points = std::array<Vector3d, 6>;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 Points ring(double radius, const std::array<double, 6>& degrees) {
   Points out;
-  for (std::size_t i = 0; i < 6; ++i) out[i] = radius * Vector3d(std::cos(degrees[i] * test::deg), std::sin(degrees[i] * test::deg), 0);
+  for (std::size_t i = 0; i < 6; ++i) out[i] = radius * Vector3d(std::cos(degrees[i] * deg), std::sin(degrees[i] * deg), 0);
   return out;
 }
 

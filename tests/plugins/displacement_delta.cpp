@@ -1,6 +1,7 @@
 // Displacement of the Delta robot against a construction that knows only distances: with the arms given, the platform lies where three
 // spheres meet.
 #include <core/mechanics/displacement/displacement.hpp>
+#include <core/numbers.hpp>
 #include <tests/plugins/delta.hpp>
 
 #include <Eigen/Geometry>
@@ -14,8 +15,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
-constexpr double rounding = 1e-10;  // [m], [rad]; of lengths near 1 m, with room for the square roots of the construction
+constexpr double rounding_of_delta = 1e-10;  // [m], [rad]; of lengths near 1 m, with room for the square roots of the construction
 
 // Every rod keeps its length while the platform keeps its orientation, so p lies on a sphere of the rods' length about each elbow, moved
 // inwards by the platform's radius.
@@ -63,7 +63,7 @@ TEST_CASE("the arms of the Delta stand as the spheres about their elbows demand"
       const Pose pose = pose_at(machine, m.low);
       CAPTURE(theta.transpose() / deg, m.low.transpose());
       REQUIRE(pose.status == PM_OK);
-      for (int i = 0; i < 3; ++i) CHECK(std::abs(theta_of(machine, pose, i) - theta(i)) < rounding);
+      for (int i = 0; i < 3; ++i) CHECK(std::abs(theta_of(machine, pose, i) - theta(i)) < rounding_of_delta);
     }
     CHECK(met > 250);
   }
@@ -83,7 +83,7 @@ TEST_CASE("forward displacement of the Delta finds the platform where the sphere
     const ForwardSolution found = forward.solve(theta, machine.home());
     CAPTURE(theta.transpose() / deg, found.why);
     REQUIRE(found.outcome == Outcome::good);
-    CHECK((found.coordinates - m.low).norm() < rounding);
+    CHECK((found.coordinates - m.low).norm() < rounding_of_delta);
   }
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("with the elbows in, the other solution of the Delta's inverse displac
     for (int i = 0; i < 3; ++i) {
       CAPTURE(p.transpose(), i);
       for (const auto& [machine, pose] : {std::pair{&out, &one}, std::pair{&in, &other}})
-        CHECK(std::abs((p - centre_of_sphere(s, i, theta_of(*machine, *pose, i))).norm() - s.rod) < rounding);
+        CHECK(std::abs((p - centre_of_sphere(s, i, theta_of(*machine, *pose, i))).norm() - s.rod) < rounding_of_delta);
       CHECK(theta_of(in, other, i) > theta_of(out, one, i) + 10 * deg);  // the arm hangs lower
     }
   }

@@ -1,12 +1,12 @@
 // The linear Delta against the formula of printers' firmware, and its forces against virtual work by differences.
 #include <core/mechanics/displacement/displacement.hpp>
+#include <core/numbers.hpp>
 #include <tests/plugins/plugin.hpp>
 
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -16,8 +16,6 @@ using namespace pmreport::mechanics;
 using Eigen::Matrix3d, Eigen::Vector3d;
 
 namespace {
-
-constexpr double deg = std::numbers::pi / 180;
 
 // delta_radius, arm_length and angle of each tower, [m] and [rad].
 struct Printer {

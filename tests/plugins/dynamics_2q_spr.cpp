@@ -11,7 +11,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using nlohmann::json;
 using test::check_equal, test::number, test::vector;
-using namespace test::two_q_spr_cases;
 
 namespace {
 
@@ -30,9 +29,9 @@ TEST_CASE("forces and reactions of the 2Q-SPR's reference cases come out to nine
   const json file = test::reference("2q-spr.json");
   for (const json& c : file["cases"]) DYNAMIC_SECTION(c["name"].get<std::string>()) {
       const json &in = c["input"], &out = c["output"];
-      const Machine machine(test::two_q_spr(), parameters_of(c, file["meta"]));
-      const State s = state_of(machine, in);
-      const test::Dynamics d(machine, s, {load_of(in), gravity_of(file)});
+      const Machine machine(test::two_q_spr(), test::two_q_spr_cases::parameters_of(c, file["meta"]));
+      const State s = test::two_q_spr_cases::state_of(machine, in);
+      const test::Dynamics d(machine, s, {test::two_q_spr_cases::load_of(in), test::two_q_spr_cases::gravity_of(file)});
       // One case asks for forces before an efficiency, in the convention of the paper.
       const double efficiency = c["name"] == "B10_eta" ? number(file["meta"]["B10_parameters"]["eta"]) : 1.0;
       const VectorXd expected = vector(out["inverse_dynamics"]), forces = efficiency * expected;
@@ -57,7 +56,7 @@ TEST_CASE("forces and reactions of the 2Q-SPR's reference cases come out to nine
 TEST_CASE("forces along the motion of the 2Q-SPR's Table 1 come out to nine digits") {
   const json file = test::reference("2q-spr.json");
   const Machine machine(test::two_q_spr(), test::values_with(test::two_q_spr(), {}));
-  const Loading loading{(Vector6d() << 0, 0, 1000, 0, 0, 10).finished(), gravity_of(file)};
+  const Loading loading{(Vector6d() << 0, 0, 1000, 0, 0, 10).finished(), test::two_q_spr_cases::gravity_of(file)};
   ForwardSolver forward(machine);
   SmallVector guess = machine.home();
   REQUIRE(file["table1_trajectory"].size() == 5);
@@ -91,9 +90,9 @@ TEST_CASE("forces along the motion of the 2Q-SPR's Table 1 come out to nine digi
 TEST_CASE("the paper's efficiency asks too little of a rod that its load drives back") {
   const json file = test::reference("2q-spr.json");
   const json& with = *std::find_if(file["cases"].begin(), file["cases"].end(), [](const json& c) { return c["name"] == "B10_eta"; });
-  const Machine machine(test::two_q_spr(), parameters_of(with, file["meta"]));
-  const State s = state_of(machine, with["input"]);
-  const test::Dynamics d(machine, s, {load_of(with["input"]), gravity_of(file)});
+  const Machine machine(test::two_q_spr(), test::two_q_spr_cases::parameters_of(with, file["meta"]));
+  const State s = test::two_q_spr_cases::state_of(machine, with["input"]);
+  const test::Dynamics d(machine, s, {test::two_q_spr_cases::load_of(with["input"]), test::two_q_spr_cases::gravity_of(file)});
   const double efficiency = number(file["meta"]["B10_parameters"]["eta"]);
   DriveTrain paper{efficiency, EfficiencyConvention::always_divides}, physical{efficiency, EfficiencyConvention::by_power};
   const VectorXd expected = vector(with["output"]["inverse_dynamics"]);
@@ -116,9 +115,9 @@ TEST_CASE("six self-stresses of the 2Q-SPR stay inside its planar loops") {
   const json file = test::reference("2q-spr.json");
   for (const json& c : file["cases"]) {
     CAPTURE(c["name"]);
-    const Machine machine(test::two_q_spr(), parameters_of(c, file["meta"]));
-    const State s = state_of(machine, c["input"]);
-    const test::Dynamics d(machine, s, {load_of(c["input"]), gravity_of(file)});
+    const Machine machine(test::two_q_spr(), test::two_q_spr_cases::parameters_of(c, file["meta"]));
+    const State s = test::two_q_spr_cases::state_of(machine, c["input"]);
+    const test::Dynamics d(machine, s, {test::two_q_spr_cases::load_of(c["input"]), test::two_q_spr_cases::gravity_of(file)});
     CHECK(d.reactions.stresses.size() == 6);
     d.check_least_norm();
     for (const char* joint : {"R11", "R14", "R15", "R21", "R24", "R25", "S3", "P3", "R3"}) {

@@ -9,16 +9,15 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using nlohmann::json;
 using test::check_equal, test::number, test::vector;
-using namespace test::four_sps_spr_cases;
 
 TEST_CASE("forces and reactions of the 4SPS-SPR's reference cases come out to nine digits") {
   const json file = test::reference("4sps-spr.json");
   REQUIRE(file["cases"].size() == 6);
   for (const json& c : file["cases"]) DYNAMIC_SECTION(c["name"].get<std::string>()) {
       const json &in = c["input"], &out = c["output"];
-      const Machine machine(test::four_sps_spr(), parameters_of(c, file["meta"]));
-      const State s = state_of(machine, in);
-      const test::Dynamics d(machine, s, {load_of(in), gravity_of(file)});
+      const Machine machine(test::four_sps_spr(), test::four_sps_spr_cases::parameters_of(c, file["meta"]));
+      const State s = test::four_sps_spr_cases::state_of(machine, in);
+      const test::Dynamics d(machine, s, {test::four_sps_spr_cases::load_of(in), test::four_sps_spr_cases::gravity_of(file)});
       const VectorXd expected = vector(out["inverse_dynamics"]);
       d.check_actuators(expected.head(5));
 

@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double tolerance = 1e-9;  // roundings of 1e-16 times condition numbers of up to 1e3, squared where weights are added
+constexpr double laws_tolerance = 1e-9;  // roundings of 1e-16 times condition numbers of up to 1e3, squared where weights are added
 
 // Reactions of one mechanism at one state, one below the other, moments per characteristic length; below them the actuator forces.
 class Solver {
@@ -59,8 +59,8 @@ TEST_CASE("actuator forces by virtual work and by the free bodies of every mecha
       const VectorXd forces = virtual_work(machine, s, tangent(machine, s), loading).total();
       const JointReactions r = solver.solve(s, loading);
       CHECK_FALSE(r.singular);
-      CHECK((forces - r.actuator_forces).lpNorm<Eigen::Infinity>() < tolerance * forces.lpNorm<Eigen::Infinity>());
-      CHECK(r.residual < tolerance);
+      CHECK((forces - r.actuator_forces).lpNorm<Eigen::Infinity>() < laws_tolerance * forces.lpNorm<Eigen::Infinity>());
+      CHECK(r.residual < laws_tolerance);
       CHECK(static_cast<int>(r.stresses.size()) == mobility(machine, s).redundant);
     }
   }
@@ -91,11 +91,11 @@ TEST_CASE("forces and reactions are linear in load and gravity, and quadratic in
     REQUIRE(of_motion.lpNorm<Eigen::Infinity>() > 1e-3 * size);
     REQUIRE(of_load.lpNorm<Eigen::Infinity>() > 1e-3 * size);
     REQUIRE(of_weights.lpNorm<Eigen::Infinity>() > 1e-3 * size);
-    CHECK((of_motion + of_load + of_weights - of_all).lpNorm<Eigen::Infinity>() < tolerance * size);
+    CHECK((of_motion + of_load + of_weights - of_all).lpNorm<Eigen::Infinity>() < laws_tolerance * size);
     CHECK((solver(rest, {2 * load - 3 * other, none}) - 2 * of_load + 3 * solver(rest, {other, none})).lpNorm<Eigen::Infinity>() <
-          tolerance * 10 * size);
+          laws_tolerance * 10 * size);
     CHECK((solver(fast.state(machine), {Vector6d::Zero(), none}) - faster * faster * of_motion).lpNorm<Eigen::Infinity>() <
-          tolerance * size);
+          laws_tolerance * size);
   }
 }
 
@@ -150,7 +150,7 @@ TEST_CASE("a unique component stays whatever the joints' stiffness, an indetermi
         const bool unique = (r.indeterminate[j] >> c & 1) == 0;
         INFO(machine.topology().joints[j].name << ", component " << c << ", spread " << spread << " of " << size);
         // A share of a random load that changes by less than 1e-6 of the largest would be a coincidence.
-        CHECK((unique ? spread < tolerance * size : spread > 1e-6 * size));
+        CHECK((unique ? spread < laws_tolerance * size : spread > 1e-6 * size));
         shared += !unique;
       }
     CHECK((shared > 0) == (mobility(machine, s).redundant > 0));

@@ -11,7 +11,7 @@ using test::check_equal, test::number, test::vector;
 
 namespace {
 
-Machine machine_of(const json& c) {
+Machine p2prpu_prps_of(const json& c) {
   const json& g = c["geometry"];
   const pm_mechanism& table = test::p2prpu_prps();
   return Machine(table, test::values_with(table, {{"gauge", {number(g["L"])}},
@@ -34,7 +34,7 @@ TEST_CASE("actuator forces of the P(2PRPU)/PRPS's reference cases come out to ni
   const json file = test::reference("p2prpu-prps.json");
   REQUIRE(file["cases"].size() == 7);
   for (const json& c : file["cases"]) DYNAMIC_SECTION(c["name"].get<std::string>()) {
-      const Machine machine = machine_of(c);
+      const Machine machine = p2prpu_prps_of(c);
       const State s = test::state_at(machine, coordinates_of(c), vector(c["pose_rate"]), vector(c["pose_accel"]));
       const test::Dynamics d(machine, s, {vector(c["wrench_ext_at_o"]), vector(c["gravity"])});
       d.check_actuators(vector(c["tau_inverse_dynamics"]));
@@ -45,7 +45,7 @@ TEST_CASE("at rest and without weights the P(2PRPU)/PRPS's limbs hold the load a
   const json file = test::reference("p2prpu-prps.json");
   for (const json& c : file["cases"]) {
     CAPTURE(c["name"]);
-    const Machine machine = machine_of(c);
+    const Machine machine = p2prpu_prps_of(c);
     const State s = test::state_at(machine, coordinates_of(c));
     const Vector6d load = vector(c["wrench_ext_at_o"]);
     if (load.isZero()) continue;
@@ -69,7 +69,7 @@ TEST_CASE("two self-stresses of the P(2PRPU)/PRPS pass between limbs 2 and 3") {
   const json file = test::reference("p2prpu-prps.json");
   for (const json& c : file["cases"]) {
     CAPTURE(c["name"]);
-    const Machine machine = machine_of(c);
+    const Machine machine = p2prpu_prps_of(c);
     const State s = test::state_at(machine, coordinates_of(c), vector(c["pose_rate"]), vector(c["pose_accel"]));
     const test::Dynamics d(machine, s, {vector(c["wrench_ext_at_o"]), vector(c["gravity"])});
     CHECK(d.reactions.stresses.size() == 2);

@@ -2,14 +2,12 @@
 #pragma once
 
 #include <core/mechanics/stiffness/answers.hpp>
+#include <core/numbers.hpp>
 #include <pmreport/elastic.hpp>
 #include <tests/plugins/every_mechanism.hpp>
 
-#include <numbers>
-
 namespace pmreport::test {
 
-inline constexpr double pi = std::numbers::pi;
 inline const Eigen::Vector3d down(0, 0, -9.81);
 inline const mechanics::Elastostatics::Wanted everything{true, true}, compliance_alone{false, false};
 

@@ -3,6 +3,7 @@
 
 #include <core/mechanics/model/generic_model.hpp>
 #include <tests/given/reference.hpp>
+#include <tests/plugins/five_freedoms.hpp>
 #include <tests/plugins/plugin.hpp>
 
 namespace pmreport::test {
@@ -14,15 +15,6 @@ using Changes = std::map<std::string, std::vector<double>>;
 // Changes of the parameters for what the reference calls a model.
 inline Changes model(const std::string& name) {
   return {{"constraint", {choice(five_pus_upu(), "constraint", name == "ideal_gamma0" ? "ideal" : "upu")}}};
-}
-
-inline mechanics::State state_at(const mechanics::Machine& machine, const Eigen::VectorXd& pose,
-                                 const Eigen::VectorXd& rates = Eigen::VectorXd::Zero(5),
-                                 const Eigen::VectorXd& accelerations = Eigen::VectorXd::Zero(5)) {
-  mechanics::State s;
-  mechanics::evaluate(machine, pose.data(), rates.data(), accelerations.data(), s);
-  REQUIRE(s.status == PM_OK);
-  return s;
 }
 
 // Centres of the balls S1 to S5, one below the other.

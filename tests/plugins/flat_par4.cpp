@@ -4,6 +4,7 @@
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/reactions/reactions.hpp>
+#include <core/numbers.hpp>
 #include <tests/plugins/par4.hpp>
 
 #include <Eigen/LU>
@@ -16,9 +17,9 @@ using Eigen::Vector3d, Eigen::Vector4d;
 
 namespace {
 
-constexpr double deg = std::numbers::pi / 180, flat = 60 * deg;
-constexpr double height = -0.75;    // of the tool [m]
-constexpr double rounding = 1e-12;  // of singular values up to some 10
+constexpr double flat = 60 * deg;
+constexpr double tool_height = -0.75;            // of the tool [m]
+constexpr double rounding_of_flat_par4 = 1e-12;  // of singular values up to some 10
 constexpr int bodies = 16, idle = 8;
 
 std::unique_ptr<Machine> skew_plate() {
@@ -27,7 +28,7 @@ std::unique_ptr<Machine> skew_plate() {
 
 // The plate's middle at (x, y) under the base.
 Vector4d pose(const Machine& machine, double x, double y, double theta) {
-  return {machine.home()(0) + x, machine.home()(1) + y, height, theta};
+  return {machine.home()(0) + x, machine.home()(1) + y, tool_height, theta};
 }
 
 // Constraints of all bodies, motors locked: singular values, moments over 0.1 m, and the motion that they hinder least beside the rods'
@@ -66,7 +67,7 @@ TEST_CASE("where the Par4's plate is flat its bodies move though all motors stan
   const auto machine = skew_plate();
   const State s = test::par4_at(*machine, pose(*machine, 0, 0, flat));
   const Locked there = locked(*machine, s);
-  CHECK(there.least < rounding);
+  CHECK(there.least < rounding_of_flat_par4);
   const ClosedForm at_flat = closed_form(*machine, s, characteristic_length(*machine));
   const ClosedForm square = closed_form(*machine, test::par4_at(*machine, pose(*machine, 0, 0, 0)), characteristic_length(*machine));
   CHECK(at_flat.determinant > 0.5 * square.determinant);  // half of what it is where bars stand across

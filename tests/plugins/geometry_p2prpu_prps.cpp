@@ -4,6 +4,7 @@
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/numbers.hpp>
 #include <tests/plugins/p2prpu_prps.hpp>
 
 #include <random>
@@ -15,7 +16,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double deg = std::numbers::pi / 180, rounding = 1e-12;
+constexpr double rounding_of_p2prpu_prps = 1e-12;
 constexpr double gauge = 1.2, width = 0.4, arm = 0.24, shortest = 0.99, longest = 1.49;  // [m] the paper's
 
 VectorXd pose(double x, double y, double z, double alpha = 0, double beta = 0) { return (VectorXd(5) << x, y, z, alpha, beta).finished(); }
@@ -37,23 +38,23 @@ TEST_CASE("at zero tilt the P(2PRPU)/PRPS meets its limits where its triangles s
   const double lean = (gauge - width) / 2;  // of limbs 2 and 3 across, at y = 0
   SECTION("lowest: limbs 2 and 3 at their shortest") {
     const VectorXd q = pose(0.8, 0, std::sqrt(shortest * shortest - lean * lean));
-    CHECK(length(q, 2) == Approx(shortest).epsilon(rounding));
-    CHECK(length(q, 3) == Approx(shortest).epsilon(rounding));
+    CHECK(length(q, 2) == Approx(shortest).epsilon(rounding_of_p2prpu_prps));
+    CHECK(length(q, 3) == Approx(shortest).epsilon(rounding_of_p2prpu_prps));
   }
   SECTION("highest: limbs 2 and 3 at their longest") {
     const VectorXd q = pose(0.8, 0, std::sqrt(longest * longest - lean * lean));
-    CHECK(length(q, 2) == Approx(longest).epsilon(rounding));
-    CHECK(length(q, 3) == Approx(longest).epsilon(rounding));
+    CHECK(length(q, 2) == Approx(longest).epsilon(rounding_of_p2prpu_prps));
+    CHECK(length(q, 3) == Approx(longest).epsilon(rounding_of_p2prpu_prps));
   }
   SECTION("farthest along X: limb 1 at its longest, 30 degrees from the platform's normal") {
     const VectorXd q = pose(arm + longest * 0.5, 0, longest * std::sqrt(0.75));
-    CHECK(length(q, 1) == Approx(longest).epsilon(rounding));
-    CHECK(test::reading(*machine, q, "S1_tilt") == Approx(30 * deg).epsilon(rounding));
+    CHECK(length(q, 1) == Approx(longest).epsilon(rounding_of_p2prpu_prps));
+    CHECK(test::reading(*machine, q, "S1_tilt") == Approx(30 * deg).epsilon(rounding_of_p2prpu_prps));
   }
   SECTION("farthest along Y: limb 3 at its longest, 30 degrees from the platform's normal") {
     const VectorXd q = pose(0.8, longest * 0.5 - lean, longest * std::sqrt(0.75));
-    CHECK(length(q, 3) == Approx(longest).epsilon(rounding));
-    CHECK(test::reading(*machine, q, "U3_tilt") == Approx(30 * deg).epsilon(rounding));
+    CHECK(length(q, 3) == Approx(longest).epsilon(rounding_of_p2prpu_prps));
+    CHECK(test::reading(*machine, q, "U3_tilt") == Approx(30 * deg).epsilon(rounding_of_p2prpu_prps));
   }
 }
 
@@ -73,7 +74,8 @@ TEST_CASE("limits of the P(2PRPU)/PRPS's joints count from Z and from the platfo
     const int j = test::joint_named(*machine, joint);
     const Range limit = machine->topology().joints[static_cast<std::size_t>(j)].limits[0];
     CAPTURE(q.transpose(), joint);
-    CHECK(closure.motion(test::state_at(*machine, q).bodies, j)[0] == Approx(at_max ? limit.max : limit.min).margin(rounding));
+    CHECK(closure.motion(test::state_at(*machine, q).bodies, j)[0] ==
+          Approx(at_max ? limit.max : limit.min).margin(rounding_of_p2prpu_prps));
   };
   // Level poses at which a limb leans by an angle about its axis, Y or X.
   constexpr double z = 1.15, lean = (gauge - width) / 2;
@@ -118,10 +120,10 @@ TEST_CASE("at zero tilt the transmission of the P(2PRPU)/PRPS is the cosine of e
       double product = (side == 0 ? -1 : 1) * arm * width;
       for (std::size_t i = 0; i < 3; ++i) {
         const double cosine = q(2) / s.actuators[2 + i].value;
-        CHECK(test::reading(*machine, q, "mu" + std::to_string(i + 1)) == Approx(cosine).epsilon(rounding));
+        CHECK(test::reading(*machine, q, "mu" + std::to_string(i + 1)) == Approx(cosine).epsilon(rounding_of_p2prpu_prps));
         product *= cosine;
       }
-      CHECK(closed_form(*machine, s, 1.0).determinant == Approx(product).epsilon(rounding));
+      CHECK(closed_form(*machine, s, 1.0).determinant == Approx(product).epsilon(rounding_of_p2prpu_prps));
     }
   }
 }
@@ -150,6 +152,6 @@ TEST_CASE("the constraint couple of the P(2PRPU)/PRPS is perpendicular to the un
   const State s = test::state_at(*machine, pose(0.8, 0, 1.15, 4 * deg, 10 * deg), rate);
   const BodyState& platform = s.bodies[static_cast<std::size_t>(machine->topology().platform)];
   const Vector3d couple = closed_form(*machine, s, 1.0).jacobian.row(5).tail<3>();
-  CHECK(std::abs(couple.dot(platform.angular_velocity)) < rounding);
-  CHECK(platform.rotation.col(2).dot(platform.angular_velocity) == Approx(std::sin(10 * deg)).epsilon(rounding));
+  CHECK(std::abs(couple.dot(platform.angular_velocity)) < rounding_of_p2prpu_prps);
+  CHECK(platform.rotation.col(2).dot(platform.angular_velocity) == Approx(std::sin(10 * deg)).epsilon(rounding_of_p2prpu_prps));
 }

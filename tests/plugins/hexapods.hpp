@@ -3,6 +3,7 @@
 
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/statics/statics.hpp>
+#include <core/numbers.hpp>
 #include <tests/given/reference.hpp>
 #include <tests/plugins/plugin.hpp>
 
@@ -11,13 +12,10 @@
 #include <Eigen/SVD>
 
 #include <memory>
-#include <numbers>
 
 namespace pmreport::test {
 
 using mechanics::Machine;
-
-inline constexpr double deg = std::numbers::pi / 180;
 
 // By the names of the reference: "gough", "stewart", "cross1" (inner cross drives), "cross2" (outer).
 std::unique_ptr<Machine> hexapod(const std::string& name);

@@ -10,19 +10,19 @@ using namespace pmreport::mechanics;
 
 namespace {
 
-struct Expected {
+struct Overconstrained {
   const char* plugin;
   int stresses;  // as the sources count redundant constraints
 };
-constexpr Expected all[] = {{"4sps-spr", 0}, {"2q-spr", 6},  {"5pus-upu", 0},       {"p2prpu-prps", 2},
-                            {"gough", 0},    {"stewart", 0}, {"parallel-cross", 0}, {"delta", 0}};
+constexpr Overconstrained all[] = {{"4sps-spr", 0}, {"2q-spr", 6},  {"5pus-upu", 0},       {"p2prpu-prps", 2},
+                                   {"gough", 0},    {"stewart", 0}, {"parallel-cross", 0}, {"delta", 0}};
 
 Machine machine_of(const pm_mechanism& table) { return Machine(table, default_values(describe(table))); }
 
 }  // namespace
 
 TEST_CASE("limb by limb, forces, reactions and verdicts are those of the system over all bodies") {
-  for (const Expected& e : all) DYNAMIC_SECTION(e.plugin) {
+  for (const Overconstrained& e : all) DYNAMIC_SECTION(e.plugin) {
       const Machine machine = machine_of(test::plugin(e.plugin));
       const auto plan = plan_of(machine);
       REQUIRE(plan.has_value());
@@ -32,7 +32,7 @@ TEST_CASE("limb by limb, forces, reactions and verdicts are those of the system 
 }
 
 TEST_CASE("limb by limb agrees with all bodies at once whatever a mechanism is told to choose") {
-  for (const Expected& e : all) {
+  for (const Overconstrained& e : all) {
     const pm_mechanism& table = test::plugin(e.plugin);
     const MechanismInfo info = describe(table);
     for (std::size_t i = 0; i < info.parameters.size(); ++i)
@@ -56,7 +56,7 @@ TEST_CASE("limb by limb agrees with all bodies at once whatever a mechanism is t
 }
 
 TEST_CASE("actuator forces are those of virtual work, which knows no joint") {
-  for (const Expected& e : all) DYNAMIC_SECTION(e.plugin) {
+  for (const Overconstrained& e : all) DYNAMIC_SECTION(e.plugin) {
       const Machine machine = machine_of(test::plugin(e.plugin));
       const test::LoadedMotion motion = test::random_loaded_motion(machine, 50, 13);
       InverseDynamics dynamics(machine);
@@ -81,7 +81,7 @@ TEST_CASE("a singular pose has no forces and leaves its neighbours alone") {
   const MotionReactions before = test::solve(dynamics, motion);
   constexpr std::size_t singular = 5;
   Eigen::VectorXd q = machine->home();
-  q(3) = test::singular_yaw(*machine, 80, 95) * test::deg;  // 90 degrees: Fichter's singularity
+  q(3) = test::singular_yaw(*machine, 80, 95) * deg;  // 90 degrees: Fichter's singularity
   for (std::size_t i = 0; i < 6; ++i) motion.jets[3 * i * motion.count + singular] = q(static_cast<int>(i));
   const MotionReactions after = test::solve(dynamics, motion);
   CHECK(after.regularity[singular] < 1e-9);

@@ -1,6 +1,7 @@
 // What the limbs of the 2Q-SPR let the platform do: its mobility, its dependent coordinate, its working modes.
 #include <core/mechanics/mobility/mobility_count.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/numbers.hpp>
 #include <tests/plugins/two_q_spr.hpp>
 
 #include <catch2/catch.hpp>
@@ -13,9 +14,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
-
-Machine make(const std::map<std::string, std::vector<double>>& changes = {}) {
+Machine make_two_q_spr(const std::map<std::string, std::vector<double>>& changes = {}) {
   return Machine(test::two_q_spr(), test::values_with(test::two_q_spr(), changes));
 }
 
@@ -36,7 +35,7 @@ Pose reachable(const Machine& machine, const VectorXd& q) {
 
 std::string refusal(const std::map<std::string, std::vector<double>>& changes) {
   try {
-    make(changes);
+    make_two_q_spr(changes);
   } catch (const MechanismError& e) {
     CHECK(e.status == PM_BAD_ARGUMENT);
     return e.what();
@@ -49,7 +48,7 @@ std::string refusal(const std::map<std::string, std::vector<double>>& changes) {
 TEST_CASE("eighteen links and twenty-one joints leave five freedoms, because six constraints are redundant") {
   for (const double rods_1 : {0.0, 1.0})
     for (const double rods_2 : {0.0, 1.0}) {
-      const Machine machine = make({{"rods_1", {rods_1}}, {"rods_2", {rods_2}}});
+      const Machine machine = make_two_q_spr({{"rods_1", {rods_1}}, {"rods_2", {rods_2}}});
       std::mt19937_64 random(91);
       for (int k = 0; k < 10; ++k) {
         const VectorXd q = k == 0 ? machine.home() : random_pose(machine, random), zero = VectorXd::Zero(5);
@@ -77,7 +76,7 @@ TEST_CASE("y keeps the SPR limb perpendicular to its hinge, wherever the hinge p
   const Vector3d axes[] = {
       {0.5, -std::sqrt(0.75), 0}, limb.cross(Vector3d::UnitX()).normalized(), limb.cross(Vector3d(1, 0, 1)).normalized()};
   for (const Vector3d& axis : axes) {
-    const Machine machine = make({{"revolute_axis", {axis.x(), axis.y(), axis.z()}}});
+    const Machine machine = make_two_q_spr({{"revolute_axis", {axis.x(), axis.y(), axis.z()}}});
     const int s3 = test::joint_named(machine, "S3"), r3 = test::joint_named(machine, "R3"), platform = machine.topology().platform;
     std::mt19937_64 random(92);
     for (int k = 0; k < 200; ++k) {
@@ -98,7 +97,7 @@ TEST_CASE("y keeps the SPR limb perpendicular to its hinge, wherever the hinge p
 }
 
 TEST_CASE("crossed rods drive the other ends of the upper beam, at the same pose of the platform") {
-  const Machine plain = make(), crossed = make({{"rods_2", {1}}});
+  const Machine plain = make_two_q_spr(), crossed = make_two_q_spr({{"rods_2", {1}}});
   std::mt19937_64 random(93);
   for (int k = 0; k < 200; ++k) {
     const VectorXd q = random_pose(plain, random);
@@ -116,7 +115,7 @@ TEST_CASE("crossed rods drive the other ends of the upper beam, at the same pose
 }
 
 TEST_CASE("a limb's four pins lie in one plane, the upper beam across the platform's normal") {
-  const Machine machine = make();
+  const Machine machine = make_two_q_spr();
   std::mt19937_64 random(94);
   for (int k = 0; k < 200; ++k) {
     const VectorXd q = random_pose(machine, random);
@@ -143,7 +142,7 @@ TEST_CASE("a hinge that is not across the SPR limb at home is refused with the d
 }
 
 TEST_CASE("poses that leave a part of the 2Q-SPR open are out of reach, and say which") {
-  const Machine machine = make();
+  const Machine machine = make_two_q_spr();
   const auto why = [&](const std::vector<double>& q) {
     const Pose pose = machine.pose(q);
     CHECK(pose.status == PM_UNREACHABLE);

@@ -2,14 +2,13 @@
 #include <core/mechanics/assembly/follow.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 
+#include <core/numbers.hpp>
 #include <tests/plugins/hexapods.hpp>
 
 using namespace pmreport;
 using namespace pmreport::mechanics;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 Pose pose_of(const Machine& machine, const Eigen::VectorXd& q) { return machine.pose({q.data(), static_cast<std::size_t>(q.size())}); }
 
@@ -92,7 +91,6 @@ TEST_CASE("a hexapod's closed motion has as many modes at both ends, and each bi
 TEST_CASE("where three modes of the 5PUS-UPU meet at once, one of them goes on") {
   const pm_mechanism& table = test::plugin("5pus-upu");
   const Machine machine(table, default_values(describe(table)));
-  const double deg = test::deg;
   const Motion motion{machine,
                       [&](double t) {  // the arc of the source's example
                         Eigen::VectorXd q = machine.home();

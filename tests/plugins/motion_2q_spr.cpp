@@ -3,6 +3,7 @@
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/statics/statics.hpp>
+#include <core/numbers.hpp>
 #include <tests/given/reference.hpp>
 #include <tests/plugins/two_q_spr.hpp>
 
@@ -15,7 +16,6 @@ using test::check_equal, test::number, test::vector, test::matrix;
 
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 constexpr int steps_per_second = 100;
 
 const VectorXd jerk = (VectorXd(5) << 2.5e-3, 2.8e-3, 3.3e-3, 3.6e-3, 0.8e-3).finished();  // [m/s^3]

@@ -3,6 +3,7 @@
 #include <core/mechanics/displacement/displacement.hpp>
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/numbers.hpp>
 #include <tests/plugins/four_sps_spr.hpp>
 
 #include <catch2/catch.hpp>
@@ -13,8 +14,6 @@ using namespace pmreport::mechanics;
 using Eigen::VectorXd;
 
 namespace {
-
-constexpr double deg = std::numbers::pi / 180;
 
 VectorXd random_vector(const Machine& machine, std::mt19937_64& random, bool in_box) {
   VectorXd v(machine.dof());
@@ -38,7 +37,7 @@ ClosedForm closed_form_at(const Machine& machine, const VectorXd& q) {
   REQUIRE(s.status == PM_OK);
   return closed_form(machine, s, characteristic_length(machine));
 }
-double determinant(const Machine& machine, const VectorXd& q) { return closed_form_at(machine, q).determinant; }
+double determinant_of_closed_form(const Machine& machine, const VectorXd& q) { return closed_form_at(machine, q).determinant; }
 
 }  // namespace
 
@@ -103,12 +102,12 @@ TEST_CASE("the whole box is reached from home by continuation") {
 TEST_CASE("det G is positive at home and changes its sign on known singular surfaces") {
   const Machine machine = test::make_four_sps_spr();
   const VectorXd home = machine.home();
-  CHECK(determinant(machine, home) > 0);
+  CHECK(determinant_of_closed_form(machine, home) > 0);
   const auto crossing = [&](int coordinate, double from, double to) {
     const auto at = [&](double angle) {
       VectorXd q = home;
       q(coordinate) = angle * deg;
-      return determinant(machine, q);
+      return determinant_of_closed_form(machine, q);
     };
     REQUIRE(at(from) * at(to) < 0);
     for (int i = 0; i < 50; ++i) (at(from) * at(0.5 * (from + to)) > 0 ? from : to) = 0.5 * (from + to);
@@ -134,13 +133,13 @@ TEST_CASE("a target beyond a singular surface is told as such, or solved on this
   for (int k = 0; k < 400; ++k) {
     VectorXd q = random_vector(machine, random, true);
     q(2) = std::uniform_real_distribution(18 * deg, 40 * deg)(random);
-    if (machine.pose({q.data(), 5}).status != PM_OK || determinant(machine, q) >= 0) continue;
+    if (machine.pose({q.data(), 5}).status != PM_OK || determinant_of_closed_form(machine, q) >= 0) continue;
     ++targets;
     CAPTURE(q.transpose());
     const VectorXd l = actuators_at(machine, q);
     const ForwardSolution s = solver.solve(l, home);
     if (s.outcome == Outcome::good) {  // another pose with the same limbs, on the guess's side
-      CHECK(determinant(machine, s.coordinates) > 0);
+      CHECK(determinant_of_closed_form(machine, s.coordinates) > 0);
       CHECK((actuators_at(machine, s.coordinates) - l).lpNorm<Eigen::Infinity>() < 1e-11);
       ++this_side;
     } else {

@@ -30,7 +30,8 @@ using Vector6 = Eigen::Matrix<Real, 6, 1>;
 using VectorX = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using MatrixX = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
-constexpr double tolerance = 1e-10;  // of the largest force: the dense system in double precision, at poses that magnify its roundings
+constexpr double newton_euler_tolerance =
+    1e-10;  // of the largest force: the dense system in double precision, at poses that magnify its roundings
 
 struct Forces {
   Eigen::VectorXd actuators;
@@ -214,19 +215,20 @@ TEST_CASE("forces and reactions are those of free bodies made of mass points") {
         const JointReactions dense = dense_reactions(machine, state, generic_model(machine, state), frames, loading, length);
         REQUIRE_FALSE(dense.singular);
         const double scale = std::max(largest(free.actuators), largest(dense.actuator_forces));
-        CHECK(largest(dense.actuator_forces - free.actuators) <= tolerance * scale);
-        CHECK(largest(virtual_work(machine, state, tangent(machine, state), loading).total() - free.actuators) <= tolerance * scale);
+        CHECK(largest(dense.actuator_forces - free.actuators) <= newton_euler_tolerance * scale);
+        CHECK(largest(virtual_work(machine, state, tangent(machine, state), loading).total() - free.actuators) <=
+              newton_euler_tolerance * scale);
         limb_by_limb.solve(1, jets.data(), loading.platform.data(), loading.gravity, limbs);
         CHECK(largest(Eigen::Map<const Eigen::VectorXd>(limbs.actuator_forces.data(), machine.dof()) - free.actuators) <=
-              tolerance * scale);
+              newton_euler_tolerance * scale);
         REQUIRE(dense.joints.size() == free.joints.size());
         REQUIRE(limbs.joints.size() == 6 * free.joints.size());
         for (std::size_t j = 0; j < free.joints.size(); ++j) {
           CAPTURE(machine.topology().joints[j].name, free.joints[j].transpose());
           for (const Vector6d& seen : {dense.joints[j], Vector6d(&limbs.joints[6 * j])}) {
             CAPTURE(seen.transpose());
-            CHECK(largest(seen.head<3>() - free.joints[j].head<3>()) <= tolerance * scale);
-            CHECK(largest(seen.tail<3>() - free.joints[j].tail<3>()) <= tolerance * scale * length);
+            CHECK(largest(seen.head<3>() - free.joints[j].head<3>()) <= newton_euler_tolerance * scale);
+            CHECK(largest(seen.tail<3>() - free.joints[j].tail<3>()) <= newton_euler_tolerance * scale * length);
           }
         }
       }

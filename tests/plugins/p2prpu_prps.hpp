@@ -2,22 +2,12 @@
 #pragma once
 
 #include <catch2/catch.hpp>
-#include <core/mechanics/model/state.hpp>
+#include <tests/plugins/five_freedoms.hpp>
 #include <tests/plugins/plugin.hpp>
 
 namespace pmreport::test {
 
 inline const pm_mechanism& p2prpu_prps() { return plugin("p2prpu-prps"); }
-
-// At x y z alpha beta, at rest unless told otherwise.
-inline mechanics::State state_at(const mechanics::Machine& machine, const Eigen::VectorXd& q,
-                                 const Eigen::VectorXd& rate = Eigen::VectorXd::Zero(5),
-                                 const Eigen::VectorXd& acceleration = Eigen::VectorXd::Zero(5)) {
-  mechanics::State s;
-  mechanics::evaluate(machine, q.data(), rate.data(), acceleration.data(), s);
-  REQUIRE(s.status == PM_OK);
-  return s;
-}
 
 // Value, rate or acceleration of scalars, as a vector.
 inline Eigen::VectorXd values(const std::vector<mechanics::Scalar>& of, double mechanics::Scalar::*part = &mechanics::Scalar::value) {

@@ -4,6 +4,7 @@
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/statics/statics.hpp>
+#include <core/numbers.hpp>
 #include <tests/plugins/two_q_spr_cases.hpp>
 
 using namespace pmreport;
@@ -12,11 +13,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using nlohmann::json;
 using test::check_equal, test::number, test::vector, test::vector3;
-using namespace test::two_q_spr_cases;
 
 namespace {
-
-constexpr double deg = std::numbers::pi / 180;
 
 const BodyState& body_named(const Machine& machine, const State& s, const std::string& name) {
   const auto& bodies = machine.topology().bodies;
@@ -34,8 +32,8 @@ TEST_CASE("every reference case of the 2Q-SPR comes out to nine digits") {
     const std::string name = c["name"];
     DYNAMIC_SECTION(name) {
       const json &in = c["input"], &out = c["output"];
-      const Machine machine(test::two_q_spr(), parameters_of(c, file["meta"]));
-      const State s = state_of(machine, in);
+      const Machine machine(test::two_q_spr(), test::two_q_spr_cases::parameters_of(c, file["meta"]));
+      const State s = test::two_q_spr_cases::state_of(machine, in);
       const BodyState& platform = s.bodies[static_cast<std::size_t>(machine.topology().platform)];
       const double size = platform.origin.norm(), speed = std::max(platform.velocity.norm(), platform.angular_velocity.norm());
 
@@ -80,7 +78,7 @@ TEST_CASE("every reference case of the 2Q-SPR comes out to nine digits") {
       }
       check_equal("det J", g.determinant, number(out["detJ"]));
       check_equal("J' V", g.jacobian_rate * platform.twist(), vector(out["bias"]));
-      check_equal("massless statics", closed_statics(g, load_of(in)), vector(out["statics_massless"]));
+      check_equal("massless statics", closed_statics(g, test::two_q_spr_cases::load_of(in)), vector(out["statics_massless"]));
     }
   }
 }
@@ -89,8 +87,8 @@ TEST_CASE("joint angles of the 2Q-SPR's reference cases come out to nine digits"
   const json file = test::reference("2q-spr.json");
   const json& home = file["cases"][0]["output"]["angles"];
   for (const json& c : file["cases"]) {
-    const Machine machine(test::two_q_spr(), parameters_of(c, file["meta"]));
-    const State s = state_of(machine, c["input"]);
+    const Machine machine(test::two_q_spr(), test::two_q_spr_cases::parameters_of(c, file["meta"]));
+    const State s = test::two_q_spr_cases::state_of(machine, c["input"]);
     const Closure closure(machine);
     int compared = 0;
     for (const auto& [key, angle] : c["output"]["angles"].items()) {
@@ -107,22 +105,23 @@ TEST_CASE("joint angles of the 2Q-SPR's reference cases come out to nine digits"
 
 TEST_CASE("at rest the rods of the 2Q-SPR carry load and weights as the reference cases say") {
   const json file = test::reference("2q-spr.json");
-  const Vector3d gravity = gravity_of(file);
+  const Vector3d gravity = test::two_q_spr_cases::gravity_of(file);
   int cases = 0;
   for (const json& c : file["cases"]) {
     const json& in = c["input"];
     if (!vector(in["omega"]).isZero() || !vector(in["epsilon"]).isZero()) continue;
     CAPTURE(c["name"]);
     ++cases;
-    const Machine machine(test::two_q_spr(), parameters_of(c, file["meta"]));
-    const State s = state_of(machine, in);
+    const Machine machine(test::two_q_spr(), test::two_q_spr_cases::parameters_of(c, file["meta"]));
+    const State s = test::two_q_spr_cases::state_of(machine, in);
     const VectorXd forces =
-        closed_statics(closed_form(machine, s, characteristic_length(machine)), load_of(in)).head(5) + weight_forces(machine, s, gravity);
+        closed_statics(closed_form(machine, s, characteristic_length(machine)), test::two_q_spr_cases::load_of(in)).head(5) +
+        weight_forces(machine, s, gravity);
     const VectorXd expected = vector(c["output"]["inverse_dynamics"]).head(5);
     check_equal("by virtual work", forces, expected);
 
     VectorXd wrenches = weights(machine, s, gravity);
-    wrenches.segment<6>(6 * machine.topology().platform - 6) += load_of(in);
+    wrenches.segment<6>(6 * machine.topology().platform - 6) += test::two_q_spr_cases::load_of(in);
     check_equal("by the equilibrium of every body", generic_statics(generic_model(machine, s), wrenches).actuator_forces, expected);
   }
   CHECK(cases == 3);

@@ -4,6 +4,7 @@
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/statics/statics.hpp>
+#include <core/numbers.hpp>
 #include <tests/plugins/four_sps_spr_cases.hpp>
 
 #include <Eigen/Geometry>
@@ -16,13 +17,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using nlohmann::json;
 using test::check_equal, test::number, test::vector, test::tolerance;
-using namespace test::four_sps_spr_cases;
-
-namespace {
-
-constexpr double deg = std::numbers::pi / 180;
-
-}  // namespace
 
 TEST_CASE("every reference case of the 4SPS-SPR comes out to nine digits") {
   const json file = test::reference("4sps-spr.json");
@@ -31,15 +25,15 @@ TEST_CASE("every reference case of the 4SPS-SPR comes out to nine digits") {
     const std::string name = c["name"];
     DYNAMIC_SECTION(name) {
       const json &in = c["input"], &out = c["output"];
-      const Machine machine(test::four_sps_spr(), parameters_of(c, file["meta"]));
-      const State s = state_of(machine, in);
+      const Machine machine(test::four_sps_spr(), test::four_sps_spr_cases::parameters_of(c, file["meta"]));
+      const State s = test::four_sps_spr_cases::state_of(machine, in);
       const BodyState& platform = s.bodies[static_cast<std::size_t>(machine.topology().platform)];
 
       check_equal("position", platform.origin, vector(out["p"]));
       for (int r = 0; r < 3; ++r)
         check_equal("rotation", platform.rotation.row(r).transpose(), vector(out["rotation"][static_cast<std::size_t>(r)]), 1.0);
       REQUIRE(s.derived.size() == 1);
-      CHECK(machine.topology().derived[0].name == test::pose_names[dependent_of(in)]);
+      CHECK(machine.topology().derived[0].name == test::pose_names[test::four_sps_spr_cases::dependent_of(in)]);
       // A position, so that its home at zero is measured against the others.
       check_equal("dependent coordinate", VectorXd::Constant(1, s.derived[0].value), VectorXd::Constant(1, number(out["dependent"])),
                   platform.origin.norm());
@@ -68,7 +62,7 @@ TEST_CASE("every reference case of the 4SPS-SPR comes out to nine digits") {
       check_equal("det G", VectorXd::Constant(1, g.determinant), VectorXd::Constant(1, number(out["detG"])));
       check_equal("V^T H V", g.jacobian_rate * platform.twist(), vector(out["VtHV"]));
 
-      check_equal("massless statics", closed_statics(g, load_of(in)), vector(out["statics_massless"]));
+      check_equal("massless statics", closed_statics(g, test::four_sps_spr_cases::load_of(in)), vector(out["statics_massless"]));
     }
   }
 }
@@ -76,8 +70,8 @@ TEST_CASE("every reference case of the 4SPS-SPR comes out to nine digits") {
 TEST_CASE("joint angles of the reference cases come out to nine digits") {
   const json file = test::reference("4sps-spr.json");
   for (const json& c : file["cases"]) {
-    const Machine machine(test::four_sps_spr(), parameters_of(c, file["meta"]));
-    const State s = state_of(machine, c["input"]);
+    const Machine machine(test::four_sps_spr(), test::four_sps_spr_cases::parameters_of(c, file["meta"]));
+    const State s = test::four_sps_spr_cases::state_of(machine, c["input"]);
     const Closure closure(machine);
     const json& angles = c["output"]["angles"];
     const auto motion = [&](const std::string& joint) { return closure.motion(s.bodies, test::joint_named(machine, joint)).at(0); };

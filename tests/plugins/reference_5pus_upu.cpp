@@ -15,12 +15,12 @@ using test::check_equal, test::number, test::vector;
 
 namespace {
 
-Machine machine_of(const json& c) {
+Machine five_pus_upu_of(const json& c) {
   test::Changes changes = test::model(c["model"]);
   if (c.contains("o6_override")) changes["h6"] = {number(c["o6_override"][2])};
   return Machine(test::five_pus_upu(), test::values_with(test::five_pus_upu(), changes));
 }
-State state_of(const Machine& machine, const json& c) {
+State five_pus_upu_at(const Machine& machine, const json& c) {
   return test::state_at(machine, vector(c["pose_x_y_z_alpha_beta"]), vector(c["rates"]), vector(c["accels"]));
 }
 VectorXd row_major(const MatrixXd& m) { return m.transpose().reshaped(); }
@@ -37,8 +37,8 @@ TEST_CASE("displacement, rates and accelerations of the 5PUS-UPU come out to nin
   const json file = test::reference("5pus-upu.json");
   REQUIRE(file["cases"].size() == 13);
   for (const json& c : file["cases"]) DYNAMIC_SECTION(c["name"].get<std::string>() << ", " << c["model"].get<std::string>()) {
-      const Machine machine = machine_of(c);
-      const State s = state_of(machine, c);
+      const Machine machine = five_pus_upu_of(c);
+      const State s = five_pus_upu_at(machine, c);
       const BodyState& platform = s.bodies[static_cast<std::size_t>(machine.topology().platform)];
 
       REQUIRE(machine.topology().derived[0].name == "gamma");
@@ -59,8 +59,8 @@ TEST_CASE("Jacobian, constraint wrench and massless statics of the 5PUS-UPU come
   for (const json& c : file["cases"]) {
     if (!c.contains("G_5x5_rowmajor")) continue;
     DYNAMIC_SECTION(c["name"].get<std::string>() << ", " << c["model"].get<std::string>()) {
-      const Machine machine = machine_of(c);
-      const State s = state_of(machine, c);
+      const Machine machine = five_pus_upu_of(c);
+      const State s = five_pus_upu_at(machine, c);
       const VectorXd pose = vector(c["pose_x_y_z_alpha_beta"]);
       const std::span<const double> q{pose.data(), 5};
       check_equal("Eq. (12)", row_major(machine.matrices(q, machine.pose(q)).at(0)), vector(c["G_5x5_rowmajor"]));

@@ -1,6 +1,7 @@
 // Jacobian, statics and singular poses of the Delta robot, against differences in extended precision and elementary mechanics.
 #include <core/mechanics/model/closed_form.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/numbers.hpp>
 #include <tests/given/reference.hpp>
 #include <tests/plugins/delta.hpp>
 
@@ -17,7 +18,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double deg = std::numbers::pi / 180, gravity = 9.81;
+constexpr double gravity = 9.81;
 
 State rest_at(const Machine& machine, const Vector3d& p) {
   const Vector3d zero = Vector3d::Zero();

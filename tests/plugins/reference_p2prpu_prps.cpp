@@ -3,6 +3,7 @@
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/statics/statics.hpp>
+#include <core/numbers.hpp>
 #include <tests/given/reference.hpp>
 #include <tests/plugins/p2prpu_prps.hpp>
 
@@ -15,7 +16,6 @@ using test::check_equal, test::number, test::vector, test::vector3, test::matrix
 
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 constexpr const char *limbs[] = {"1", "2", "3"}, *platform_joints[] = {"S1", "U2", "U3"};
 
 ParameterValues parameters_of(const json& geometry) {

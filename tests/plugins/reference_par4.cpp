@@ -5,6 +5,7 @@
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/model/random_poses.hpp>
 #include <core/mechanics/statics/statics.hpp>
+#include <core/numbers.hpp>
 #include <tests/given/reference.hpp>
 #include <tests/plugins/par4.hpp>
 
@@ -18,18 +19,18 @@ using Eigen::Matrix4d, Eigen::Vector3d, Eigen::Vector4d;
 
 namespace {
 
-constexpr double deg = std::numbers::pi / 180, gravity = 9.81;
+constexpr double par4_gravity = 9.81;
 
 std::unique_ptr<Machine> machine_with(const std::map<std::string, std::vector<double>>& changes = {}) {
   return std::make_unique<Machine>(test::par4(), test::values_with(test::par4(), changes));
 }
 
-ClosedForm form_at(const Machine& machine, const Vector4d& q) {
+ClosedForm par4_form_at(const Machine& machine, const Vector4d& q) {
   return closed_form(machine, test::par4_at(machine, q), characteristic_length(machine));
 }
 
 // d theta_i / d (x, y, z, theta) by central differences in extended precision: with h = 1e-6 their error is some h^2 = 1e-12.
-Matrix4d differences(const Machine& machine, const Vector4d& q) {
+Matrix4d par4_differences(const Machine& machine, const Vector4d& q) {
   constexpr double h = 1e-6;
   const std::size_t n = machine.layout().size();
   Matrix4d out;
@@ -51,12 +52,12 @@ Matrix4d differences(const Machine& machine, const Vector4d& q) {
 }
 
 // Height of the tool over four equal arms with the plate square, by Pythagoras: rods from the elbows in to the plate's axis.
-double height(const test::Par4Sizes& s, double theta) {
+double par4_height(const test::Par4Sizes& s, double theta) {
   const double across = s.base + s.arm * std::cos(theta) - s.platform;
   return -s.arm * std::sin(theta) - std::sqrt(s.rod * s.rod - across * across);
 }
-double slope(const test::Par4Sizes& s, double theta) { return (height(s, theta + 1e-5) - height(s, theta - 1e-5)) / 2e-5; }
-constexpr double of_slope = 1e-8;  // relative; of a difference over 2e-5 rad
+double par4_slope(const test::Par4Sizes& s, double theta) { return (par4_height(s, theta + 1e-5) - par4_height(s, theta - 1e-5)) / 2e-5; }
+constexpr double of_par4_slope = 1e-8;  // relative; of a difference over 2e-5 rad
 
 }  // namespace
 
@@ -64,8 +65,8 @@ TEST_CASE("the Jacobian of the Par4 is the derivative of its inverse displacemen
   const auto square = machine_with(), skew = machine_with({{"plate_angle", {60 * deg}}, {"elbow2", {1}}});
   for (const Machine* machine : {square.get(), skew.get()})
     for (const Eigen::VectorXd& q : random_poses(*machine, 50, 31)) {
-      const Matrix4d expected = differences(*machine, q);
-      const Matrix6d g = form_at(*machine, q).jacobian;
+      const Matrix4d expected = par4_differences(*machine, q);
+      const Matrix6d g = par4_form_at(*machine, q).jacobian;
       Matrix4d seen;  // the tool turns about Z alone
       seen << g.topLeftCorner<4, 3>(), g.topRightCorner<4, 1>();
       CAPTURE(q.transpose());
@@ -81,7 +82,7 @@ TEST_CASE("the matrices of the Par4's closure give the same Jacobian") {
   const Vector4d q(0.12, -0.07, -0.8, 25 * deg);
   const std::vector<Eigen::MatrixXd> m = machine->matrices({q.data(), 4}, machine->pose({q.data(), 4}));
   REQUIRE(m.size() == 2);
-  const Matrix4d seen = -m[1].inverse() * m[0], expected = differences(*machine, q);
+  const Matrix4d seen = -m[1].inverse() * m[0], expected = par4_differences(*machine, q);
   test::check_equal("-B^-1 A", seen.reshaped(), expected.reshaped());
 }
 
@@ -108,10 +109,11 @@ TEST_CASE("four equal motors of the Par4 hold a weight by virtual work") {
   const test::Par4Sizes s;
   const auto machine = machine_with();
   for (const double theta : {-20 * deg, 0.0, 35 * deg}) {
-    const ClosedForm g = form_at(*machine, {0, s.half_hinges, height(s, theta), 0});
+    const ClosedForm g = par4_form_at(*machine, {0, s.half_hinges, par4_height(s, theta), 0});
     const Vector6d weight = (Vector6d() << 0, 0, -10, 3, -2, 0).finished();  // its tilt is held by the rods, not by the motors
     const Vector6d forces = closed_statics(g, weight);
-    for (int i = 0; i < 4; ++i) CHECK(forces(i) == Approx(10 * slope(s, theta) / 4).epsilon(of_slope));  // negative: it raises the arm
+    for (int i = 0; i < 4; ++i)
+      CHECK(forces(i) == Approx(10 * par4_slope(s, theta) / 4).epsilon(of_par4_slope));  // negative: it raises the arm
   }
 }
 
@@ -120,15 +122,15 @@ TEST_CASE("the Par4's own weight on its motors follows from the heights of its c
   const test::Par4Sizes s;
   const auto machine = machine_with();
   for (const double theta : {-20 * deg, 0.0, 35 * deg}) {
-    const State state = test::par4_at(*machine, {0, s.half_hinges, height(s, theta), 0});
-    const Vector3d down(0, 0, -gravity);
+    const State state = test::par4_at(*machine, {0, s.half_hinges, par4_height(s, theta), 0});
+    const Vector3d down(0, 0, -par4_gravity);
     const Eigen::VectorXd all_bodies = generic_statics(generic_model(*machine, state), weights(*machine, state, down)).actuator_forces;
     const Eigen::VectorXd by_partials = weight_forces(*machine, state, down);
-    const double elbow = -s.arm * std::cos(theta), plate = slope(s, theta);  // by theta
+    const double elbow = -s.arm * std::cos(theta), plate = par4_slope(s, theta);  // by theta
     const double power = 4 * 0.3 * plate + 4 * 1.0 * elbow / 2 + 8 * 0.1 * (elbow + plate) / 2;
     for (int i = 0; i < 4; ++i) {
-      CHECK(all_bodies(i) == Approx(gravity * power / 4).epsilon(of_slope));
-      CHECK(by_partials(i) == Approx(gravity * power / 4).epsilon(of_slope));
+      CHECK(all_bodies(i) == Approx(par4_gravity * power / 4).epsilon(of_par4_slope));
+      CHECK(by_partials(i) == Approx(par4_gravity * power / 4).epsilon(of_par4_slope));
     }
   }
 }
@@ -142,7 +144,7 @@ TEST_CASE("a couple about Z on the Par4's tool is held by motors that pull to an
   const double couple = 2, w = (s.base + s.arm - s.platform) / s.rod, c45 = std::numbers::sqrt2 / 2;
   const double torque = s.arm * couple / (4 * s.half_bar) / (w * c45) * std::sqrt(1 - w * w);
   const Vector6d load = (Vector6d() << 0, 0, 0, 0, 0, couple).finished();
-  const Vector6d forces = closed_statics(form_at(*machine, machine->home()), load);
+  const Vector6d forces = closed_statics(par4_form_at(*machine, machine->home()), load);
   for (int i = 0; i < 4; ++i) CHECK(std::abs(forces(i)) == Approx(torque).epsilon(1e-12));
   CHECK(forces(0) == Approx(-forces(1)));
   CHECK(forces(1) == Approx(-forces(2)));

@@ -6,7 +6,7 @@ using namespace pmreport::mechanics;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using nlohmann::json;
-using test::check_equal, test::deg;
+using test::check_equal;
 
 namespace {
 

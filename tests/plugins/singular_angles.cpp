@@ -3,6 +3,7 @@
 #include <core/mechanics/displacement/follow.hpp>
 #include <core/mechanics/dynamics/virtual_work.hpp>
 #include <core/mechanics/singularity/singularity.hpp>
+#include <core/numbers.hpp>
 #include <tests/plugins/dynamics.hpp>
 #include <tests/plugins/hexapods.hpp>
 
@@ -13,8 +14,6 @@ using namespace pmreport::mechanics;
 using Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // Points of the platform of Gough's platform as its defaults give them, in axes turned by a quarter about X: the new y axis along the old
 // -z, so that p_old = Rx(90 deg) p_new.

@@ -3,6 +3,7 @@
 #include <core/mechanics/model/random_poses.hpp>
 #include <core/mechanics/singularity/singularity.hpp>
 
+#include <core/numbers.hpp>
 #include <tests/plugins/plugin.hpp>
 
 #include <nlohmann/json.hpp>
@@ -10,14 +11,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
-#include <numbers>
 
 using namespace pmreport;
 using namespace pmreport::mechanics;
 
 namespace {
-
-constexpr double deg = std::numbers::pi / 180;
 
 struct Expected {
   const char* plugin;

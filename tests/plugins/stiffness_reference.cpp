@@ -16,7 +16,7 @@ using test::check_equal, test::json, test::matrix, test::number, test::vector;
 
 namespace {
 
-std::unique_ptr<Machine> machine_of(const json& c) {
+std::unique_ptr<Machine> elastic_machine_of(const json& c) {
   const pm_mechanism& table = test::plugin(c["mechanism"].get<std::string>());
   std::map<std::string, std::vector<double>> changes;
   for (const auto& [name, value] : c["parameters"].items()) {
@@ -43,7 +43,7 @@ struct Prepared {
 
 // Elements of the reference, in the words of a scenario.
 Prepared prepared(const json& c) {
-  Prepared out{machine_of(c), {}};
+  Prepared out{elastic_machine_of(c), {}};
   out.q = coordinates_of(*out.machine, c["pose"]);
   const Topology& t = out.machine->topology();
   const std::string name = c["mechanism"].get<std::string>();

@@ -14,11 +14,10 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using nlohmann::json;
 using test::check_equal;
-using test::deg;
 
 namespace {
 
-std::unique_ptr<Machine> machine_of(const json& c) {
+std::unique_ptr<Machine> transmitting_machine_of(const json& c) {
   const pm_mechanism& table = test::plugin(c["mechanism"]);
   std::map<std::string, std::vector<double>> changes;
   for (const auto& [name, value] : c["parameters"].items()) {
@@ -36,9 +35,9 @@ TransmissionIndices indices(const Transmission& t, const VectorXd& q) {
   return *out;
 }
 
-void check_case(const json& c) {
+void check_transmission(const json& c) {
   CAPTURE(c["id"].get<std::string>());
-  const auto m = machine_of(c);
+  const auto m = transmitting_machine_of(c);
   const json& e = c["expected"];
   const double length = e.contains("characteristic_length") ? e["characteristic_length"].get<double>() : 0;
   const Transmission t(*m, length);
@@ -91,7 +90,7 @@ VectorXd all_of(const Transmission& t, const VectorXd& q) {
 const pm_mechanism& gough() { return test::plugin("gough"); }
 
 // Feet and heads of a hexapod, moved by a rotation and a shift, scaled, and in another order.
-struct Points {
+struct DrivenPoints {
   std::vector<Vector3d> a, b;
   std::unique_ptr<Machine> machine(double scale = 1, const Eigen::Matrix3d& of_base = Eigen::Matrix3d::Identity(),
                                    const Vector3d& shift = Vector3d::Zero(), const std::vector<std::size_t>& order = {0, 1, 2, 3, 4, 5},
@@ -107,8 +106,8 @@ struct Points {
                                                                           {"stroke_max", {100}}}));
   }
 };
-Points irregular() {
-  Points p;
+DrivenPoints irregular() {
+  DrivenPoints p;
   for (int i = 0; i < 6; ++i) {
     const double at = (60 * i + 7 * i * i) * deg, on = (60 * i + (i % 2 == 0 ? 40 : -35)) * deg;
     p.a.emplace_back(0.4 * std::cos(at), 0.35 * std::sin(at), 0.02 * i);
@@ -122,7 +121,7 @@ Points irregular() {
 TEST_CASE("indices of transmission equal those from moved actuators in 50 digits") {
   int poses = 0;
   for (const json& c : test::reference("transmission.json")["cases"])
-    if (c["kind"] == "pose") check_case(c), ++poses;
+    if (c["kind"] == "pose") check_transmission(c), ++poses;
   CHECK(poses == 11);
 }
 
@@ -223,7 +222,7 @@ TEST_CASE("pressure angles of the four mechanisms of six degrees of freedom are 
 }
 
 TEST_CASE("indices depend neither on the frame nor on the unit of length nor on the order of the limbs") {
-  const Points p = irregular();
+  const DrivenPoints p = irregular();
   const auto m = p.machine();
   const Transmission t(*m);
   const VectorXd q = (VectorXd(6) << 0.05, -0.04, 0.95, 0.1, -0.08, 0.12).finished();

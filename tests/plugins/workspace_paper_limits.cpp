@@ -1,4 +1,5 @@
 // Limits that papers count otherwise than from home, against reference programs.
+#include <core/numbers.hpp>
 #include <core/scan/components.hpp>
 #include <tests/plugins/workspace.hpp>
 
@@ -11,7 +12,6 @@ namespace pmreport::test {
 
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 using mechanics::AskedLimit;
 
 const json& case_named(const std::string& id) {

@@ -8,7 +8,7 @@ using functions::Random;
 
 namespace {
 
-constexpr int tries = 50;
+constexpr int jet_tries = 50;
 
 // First and second derivative at 0, by differences of the sixth order in extended precision: with this step their own errors, of truncation
 // and of rounding (1e-19 / h^2), stay below 1e-12 for the functions tried.
@@ -19,8 +19,8 @@ std::array<long double, 2> differences(F&& f) {
   const auto odd = [&](int k) { return f(k * h) - f(-k * h); };
   return {(45 * odd(1) - 9 * odd(2) + odd(3)) / (60 * h), (270 * even(1) - 27 * even(2) + 2 * even(3) - 490 * f(0.0L)) / (180 * h * h)};
 }
-constexpr double difference_tolerance = 1e-9;
-constexpr double rounding = 1e-13;
+constexpr double jet_difference_tolerance = 1e-9;
+constexpr double jet_rounding = 1e-13;
 
 // A motion through x0 with rate and acceleration, and its jet.
 struct Motion {
@@ -32,17 +32,17 @@ Motion random_motion(Random& random, double min, double max) {
   return {random.within(min, max), random.within(-1, 1), random.within(-2, 2)};
 }
 
-Approx near(long double expected, double tolerance) { return Approx(double(expected)).epsilon(tolerance).margin(tolerance); }
+Approx near_jet(long double expected, double tolerance) { return Approx(double(expected)).epsilon(tolerance).margin(tolerance); }
 
 void check(const Jet<double>& seen, long double value, const std::array<long double, 2>& derivatives) {
-  CHECK(seen.value == near(value, rounding));
-  CHECK(seen.rate == near(derivatives[0], difference_tolerance));
-  CHECK(seen.acceleration == near(derivatives[1], difference_tolerance));
+  CHECK(seen.value == near_jet(value, jet_rounding));
+  CHECK(seen.rate == near_jet(derivatives[0], jet_difference_tolerance));
+  CHECK(seen.acceleration == near_jet(derivatives[1], jet_difference_tolerance));
 }
 void check(const Jet<double>& seen, const Jet<double>& expected) {
-  CHECK(seen.value == near(expected.value, rounding));
-  CHECK(seen.rate == near(expected.rate, rounding));
-  CHECK(seen.acceleration == near(expected.acceleration, rounding));
+  CHECK(seen.value == near_jet(expected.value, jet_rounding));
+  CHECK(seen.rate == near_jet(expected.rate, jet_rounding));
+  CHECK(seen.acceleration == near_jet(expected.acceleration, jet_rounding));
 }
 
 }  // namespace
@@ -50,14 +50,14 @@ void check(const Jet<double>& seen, const Jet<double>& expected) {
 TEST_CASE("a jet's rate and acceleration are those that differences in time show") {
   Random random(1);
   functions::each_of_one([&](const char* name, double min, double max, auto f) {
-    for (int i = 0; i < tries; ++i) {
+    for (int i = 0; i < jet_tries; ++i) {
       const Motion x = random_motion(random, min, max);
       CAPTURE(name, x.value, x.rate, x.acceleration);
       check(f(x.jet()), f(x.at(0)), differences([&](long double t) { return f(x.at(t)); }));
     }
   });
   functions::each_of_two([&](const char* name, double min, double max, auto f) {
-    for (int i = 0; i < tries; ++i) {
+    for (int i = 0; i < jet_tries; ++i) {
       const Motion x = random_motion(random, min, max), y = random_motion(random, min, max);
       CAPTURE(name, x.value, x.rate, x.acceleration, y.value, y.rate, y.acceleration);
       check(f(x.jet(), y.jet()), f(x.at(0), y.at(0)), differences([&](long double t) { return f(x.at(t), y.at(t)); }));
@@ -78,7 +78,7 @@ TEST_CASE("jets of powers of time are those of calculus") {
 
 TEST_CASE("jets keep the identities of their functions") {
   Random random(2);
-  for (int i = 0; i < tries; ++i) {
+  for (int i = 0; i < jet_tries; ++i) {
     const Jet<double> x = random_motion(random, 0.2, 0.8).jet(), r = random_motion(random, 0.5, 2).jet();
     CAPTURE(x.value, x.rate, x.acceleration, r.value, r.rate, r.acceleration);
     const Jet<double> sine = sin(x), cosine = cos(x);

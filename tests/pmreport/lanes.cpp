@@ -13,9 +13,9 @@ using functions::Random;
 
 namespace {
 
-constexpr int tries = 20;
+constexpr int lane_tries = 20;
 // The lanes' own sine, cosine and the like err by a few units in the last place; second derivatives add up several of them.
-constexpr double rounding = 1e-14;
+constexpr double lane_rounding = 1e-14;
 
 // A scalar as the contract stores it: components of `stride` poses.
 template <class T>
@@ -45,7 +45,7 @@ void check_lane(const Wide& wide, const Single& single, std::size_t lane) {
   const auto alone = stored(single, 1);
   for (std::size_t c = 0; c < alone.size(); ++c) {
     CAPTURE(lane, c);
-    CHECK(all[c * Lanes::width + lane] == Approx(alone[c]).epsilon(rounding).margin(rounding));
+    CHECK(all[c * Lanes::width + lane] == Approx(alone[c]).epsilon(lane_rounding).margin(lane_rounding));
   }
 }
 
@@ -53,14 +53,14 @@ template <class Wide, class Single>
 void check_all_functions(std::uint64_t seed) {
   Random random(seed);
   functions::each_of_one([&](const char* name, double min, double max, auto f) {
-    for (int i = 0; i < tries; ++i) {
+    for (int i = 0; i < lane_tries; ++i) {
       CAPTURE(name, seed, i);
       const Both<Wide, Single> x(random, min, max);
       for (std::size_t lane = 0; lane < Lanes::width; ++lane) check_lane(Wide(f(x.wide())), f(x.single(lane)), lane);
     }
   });
   functions::each_of_two([&](const char* name, double min, double max, auto f) {
-    for (int i = 0; i < tries; ++i) {
+    for (int i = 0; i < lane_tries; ++i) {
       CAPTURE(name, seed, i);
       const Both<Wide, Single> x(random, min, max), y(random, min, max);
       for (std::size_t lane = 0; lane < Lanes::width; ++lane)

@@ -8,11 +8,11 @@ using namespace pmreport;
 
 namespace {
 
-constexpr double point[] = {1, 2, 3};
+constexpr double point_declared[] = {1, 2, 3};
 constexpr const char* words[] = {"x", "y", "z"};
 constexpr Parameter declared[] = {
     Parameter::number("radius", 0.4, {0.01, 100}, "m", "mm", "a radius"),
-    Parameter::numbers("point", point, {-5, 5}, 3, 6, "m", "mm", "a point"),
+    Parameter::numbers("point", point_declared, {-5, 5}, 3, 6, "m", "mm", "a point"),
     Parameter::choice("which", words, 1, "one of three"),
 };
 

@@ -107,7 +107,7 @@ struct List {
   }
 };
 
-constexpr int tries = 10;
+constexpr int recorded_tries = 10;
 
 }  // namespace
 
@@ -117,7 +117,7 @@ TEST_CASE("what is recorded of every function gives its value again") {
     List list;
     const Recorded y = f(list.input());
     CHECK_FALSE(y.is_constant());
-    for (int i = 0; i < tries; ++i) {
+    for (int i = 0; i < recorded_tries; ++i) {
       const double x = random.within(min, max);
       CAPTURE(name, x);
       CHECK(list.value(y, {x}) == f(x));
@@ -127,7 +127,7 @@ TEST_CASE("what is recorded of every function gives its value again") {
     List list;
     const Recorded a = list.input(0), b = list.input(1), y = f(a, b);
     CHECK_FALSE(y.is_constant());
-    for (int i = 0; i < tries; ++i) {
+    for (int i = 0; i < recorded_tries; ++i) {
       const double x0 = random.within(min, max), x1 = random.within(min, max);
       CAPTURE(name, x0, x1);
       CHECK(list.value(y, {x0, x1}) == f(x0, x1));

@@ -23,7 +23,7 @@ std::string last_line(const std::string& out) {
 }  // namespace
 
 TEST_CASE("every mechanism of the house holds with its other choices, working modes and sizes") {
-  const Result result = pmreport({"check", "--all"});
+  const Result result = run_pmreport({"check", "--all"});
   INFO(result.out << result.err);
   CHECK(result.status == 0);
   CHECK_THAT(result.out, !Contains("FAIL") && !Contains("not examined"));
@@ -40,7 +40,7 @@ TEST_CASE("every scenario of the house holds at its parameters and along its mot
   int scenarios = 0;
   for (const auto& file : std::filesystem::recursive_directory_iterator(SOURCE "/plugins")) {
     if (file.path().extension() != ".toml") continue;
-    const Result result = pmreport({"check", "--scenario", file.path().string(), "--poses", "10"});
+    const Result result = run_pmreport({"check", "--scenario", file.path().string(), "--poses", "10"});
     INFO(file.path() << "\n" << result.out << result.err);
     CHECK(result.status == 0);
     CHECK_THAT(result.out, Contains(" as " + file.path().string() + " has it: home"));
@@ -52,35 +52,35 @@ TEST_CASE("every scenario of the house holds at its parameters and along its mot
 TEST_CASE("check looks at the poses of a scenario's motion, at its parameters") {
   const Workshop here;
   here.write("a.toml", scenario_with_parameters);
-  const Result result = pmreport({"check", "--scenario", "a.toml", "--poses", "20"}, {.folder = here.path()});
+  const Result result = run_pmreport({"check", "--scenario", "a.toml", "--poses", "20"}, {.folder = here.path()});
   INFO(result.out << result.err);
   CHECK(result.status == 0);
   CHECK_THAT(result.out, StartsWith("4sps-spr as a.toml has it: home, 21 poses of its motion and 20 random poses\n"));
-  const Result crowded = pmreport({"check", "delta", "--scenario", "a.toml"}, {.folder = here.path()});
+  const Result crowded = run_pmreport({"check", "delta", "--scenario", "a.toml"}, {.folder = here.path()});
   CHECK(crowded.status == 2);
   CHECK_THAT(crowded.err, Contains("--scenario expects nothing else"));
   here.write("bad.toml", with(small, {{"samples", "sampels"}}));
-  CHECK(pmreport({"check", "--scenario", "bad.toml"}, {.folder = here.path()}).status == 2);
+  CHECK(run_pmreport({"check", "--scenario", "bad.toml"}, {.folder = here.path()}).status == 2);
 }
 
 TEST_CASE("check takes parameters as a scenario has them, and refuses them alike") {
-  const Result result = pmreport({"check", "delta", "--poses", "20", "--parameters", "elbow1 = \"in\", rod_length = \"1.3 m\""});
+  const Result result = run_pmreport({"check", "delta", "--poses", "20", "--parameters", "elbow1 = \"in\", rod_length = \"1.3 m\""});
   INFO(result.out << result.err);
   CHECK(result.status == 0);
   CHECK_THAT(result.out, StartsWith("delta with elbow1 = \"in\", rod_length = \"1.3 m\": home and 20 random poses\n"));
-  CHECK(pmreport({"check", PLUGINS "/delta.so", "--poses", "20", "--parameters", "rod_length = \"1.3 m\""}).status == 0);
+  CHECK(run_pmreport({"check", PLUGINS "/delta.so", "--poses", "20", "--parameters", "rod_length = \"1.3 m\""}).status == 0);
 
-  const Result unknown = pmreport({"check", "delta", "--parameters", "rod_lenght = \"1.3 m\""});
+  const Result unknown = run_pmreport({"check", "delta", "--parameters", "rod_lenght = \"1.3 m\""});
   CHECK(unknown.status == 2);
   CHECK_THAT(unknown.err, StartsWith("--parameters:4:16: error: unknown key \"rod_lenght\"") && Contains("did you mean \"rod_length\"?"));
-  const Result refused = pmreport({"check", "delta", "--parameters", "rod_length = \"0.1 m\""});
+  const Result refused = run_pmreport({"check", "delta", "--parameters", "rod_length = \"0.1 m\""});
   CHECK(refused.status == 2);
   CHECK_THAT(refused.err, Contains("delta refuses its parameters: home has level arms"));
-  CHECK(pmreport({"check", "delta", "gough", "--parameters", "rod_length = \"1.3 m\""}).status == 2);
+  CHECK(run_pmreport({"check", "delta", "gough", "--parameters", "rod_length = \"1.3 m\""}).status == 2);
 }
 
 TEST_CASE("what was not looked at is told with the reason and counted apart") {
-  const Result result = pmreport({"check", "4sps-spr", "--poses", "0"});
+  const Result result = run_pmreport({"check", "4sps-spr", "--poses", "0"});
   INFO(result.out);
   CHECK(result.status == 0);
   CHECK(std::regex_search(result.out, std::regex("\nlanes equal doubles +not examined: no pose but home was asked for\n")));

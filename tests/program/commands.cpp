@@ -54,7 +54,7 @@ TEST_CASE("progress is for a terminal alone, leaves no trace there and has no co
 }
 
 TEST_CASE("list names every mechanism and its file") {
-  const Result result = pmreport({"list"});
+  const Result result = run_pmreport({"list"});
   CHECK(result.status == 0);
   CHECK_THAT(result.out, Contains("4sps-spr ") && Contains(PLUGINS "/4sps-spr.so\n"));
 }
@@ -86,10 +86,10 @@ TEST_CASE("plugins are found by --plugin-path, by PMREPORT_PLUGIN_PATH and in th
   std::filesystem::create_directories(here / "pmreport/plugins");
   std::filesystem::copy_file(FIXTURES "/plain.so", here / "pmreport/plugins/plain.so");
   const std::string folder = (here / "pmreport/plugins").string();
-  CHECK(pmreport({"list"}).out.find("plain-slider") == std::string::npos);
-  CHECK_THAT(pmreport({"list", "--plugin-path", folder}).out, Contains("plain-slider"));
-  CHECK_THAT(pmreport({"list"}, {.environment = {{"PMREPORT_PLUGIN_PATH", "/nonexistent:" + folder}}}).out, Contains("plain-slider"));
-  CHECK_THAT(pmreport({"list"}, {.environment = {{"XDG_DATA_HOME", here.path().string()}}}).out, Contains("plain-slider"));
+  CHECK(run_pmreport({"list"}).out.find("plain-slider") == std::string::npos);
+  CHECK_THAT(run_pmreport({"list", "--plugin-path", folder}).out, Contains("plain-slider"));
+  CHECK_THAT(run_pmreport({"list"}, {.environment = {{"PMREPORT_PLUGIN_PATH", "/nonexistent:" + folder}}}).out, Contains("plain-slider"));
+  CHECK_THAT(run_pmreport({"list"}, {.environment = {{"XDG_DATA_HOME", here.path().string()}}}).out, Contains("plain-slider"));
 }
 
 TEST_CASE("two plugins of one name are an error that names both files") {
@@ -109,7 +109,7 @@ TEST_CASE("a plugin that cannot be loaded is told and stops no other") {
 }
 
 TEST_CASE("describe tells a reader what a mechanism is") {
-  const Result result = pmreport({"describe", "4sps-spr"});
+  const Result result = run_pmreport({"describe", "4sps-spr"});
   CHECK(result.status == 0);
   CHECK_THAT(result.out, StartsWith("4sps-spr\n") && Contains("\nindependent coordinates\n") &&
                              Contains("dependent: follows from the others") && Contains("stroke 450 mm to 850 mm") &&
@@ -118,7 +118,7 @@ TEST_CASE("describe tells a reader what a mechanism is") {
 }
 
 TEST_CASE("describe keeps what holds the platform apart from what drives it, and says what a drive gives") {
-  const std::string arms = pmreport({"describe", "delta"}).out, legs = pmreport({"describe", "4sps-spr"}).out;
+  const std::string arms = run_pmreport({"describe", "delta"}).out, legs = run_pmreport({"describe", "4sps-spr"}).out;
   const auto actuators = arms.find("\nactuators\n"), constraints = arms.find("\nconstraints: "), parameters = arms.find("\nparameters\n");
   REQUIRE(actuators < constraints);
   REQUIRE(constraints < parameters);
@@ -126,19 +126,19 @@ TEST_CASE("describe keeps what holds the platform apart from what drives it, and
   CHECK_THAT(driving, Contains("theta2") && Contains("gives a torque [N*m]") && !Contains("couple") && !Contains("force"));
   CHECK_THAT(holding, Contains("couple2") && !Contains("theta"));
   CHECK_THAT(legs, Contains("gives a force [N]") && !Contains("torque"));
-  const auto json = nlohmann::json::parse(pmreport({"describe", "delta", "--json"}).out);
+  const auto json = nlohmann::json::parse(run_pmreport({"describe", "delta", "--json"}).out);
   CHECK(json["actuators"][0]["effort"] == "torque");
   CHECK(json["actuators"][0]["effort_unit"] == "N*m");
 }
 
 TEST_CASE("check remarks on data that look odd, and passes") {
-  const Result result = pmreport({"check", "delta", "--poses", "5"});
+  const Result result = run_pmreport({"check", "delta", "--poses", "5"});
   CHECK(result.status == 0);
   CHECK_THAT(result.out, Contains("\ndata: nothing looks odd\n"));
 }
 
 TEST_CASE("describe --json tells a program the same") {
-  const Result result = pmreport({"describe", "4sps-spr", "--json"});
+  const Result result = run_pmreport({"describe", "4sps-spr", "--json"});
   CHECK(result.status == 0);
   const auto json = nlohmann::json::parse(result.out);
   CHECK(json["schema_version"] == 1);
@@ -155,9 +155,10 @@ TEST_CASE("describe --json tells a program the same") {
 }
 
 TEST_CASE("describe lists the parts that give way") {
-  CHECK_THAT(pmreport({"describe", "p2prpu-prps"}).out, Contains("parts that give way, for stiffness\n  limb1        beam R11 to S1\n") &&
-                                                            Contains("  rail2        rail along PX, loaded by R21\n"));
-  const auto json = nlohmann::json::parse(pmreport({"describe", "gough", "--json"}).out);
+  CHECK_THAT(run_pmreport({"describe", "p2prpu-prps"}).out,
+             Contains("parts that give way, for stiffness\n  limb1        beam R11 to S1\n") &&
+                 Contains("  rail2        rail along PX, loaded by R21\n"));
+  const auto json = nlohmann::json::parse(run_pmreport({"describe", "gough", "--json"}).out);
   REQUIRE(json["elements"].size() == 12);
   CHECK(json["elements"][1]["name"] == "drive1");
   CHECK(json["elements"][1]["what"] == "drive of rho1");
@@ -166,7 +167,7 @@ TEST_CASE("describe lists the parts that give way") {
 TEST_CASE("describe and check of an unknown name tell the known ones") {
   for (const char* command : {"describe", "check"}) {
     CAPTURE(command);
-    const Result result = pmreport({command, "gouhg"});
+    const Result result = run_pmreport({command, "gouhg"});
     CHECK(result.status == 3);
     CHECK_THAT(result.err, Contains("no mechanism is called 'gouhg'; known: ") && Contains("4sps-spr"));
   }
@@ -174,7 +175,7 @@ TEST_CASE("describe and check of an unknown name tell the known ones") {
 
 TEST_CASE("check passes sound mechanisms, by name and by file") {
   for (const char* name : {"4sps-spr", PLUGINS "/4sps-spr.so", FIXTURES "/plain.so"}) {
-    const Result result = pmreport({"check", name, "--poses", "100"});
+    const Result result = run_pmreport({"check", name, "--poses", "100"});
     CAPTURE(name, result.out, result.err);
     CHECK(result.status == 0);
     CHECK_THAT(result.out, Contains("home and 100 random poses") && Contains("joints close") && Contains("pass") && !Contains("FAIL"));
@@ -182,7 +183,7 @@ TEST_CASE("check passes sound mechanisms, by name and by file") {
 }
 
 TEST_CASE("check fails a mechanism whose Jacobian lies") {
-  const Result result = pmreport({"check", FIXTURES "/lying.so", "--poses", "20"});
+  const Result result = run_pmreport({"check", FIXTURES "/lying.so", "--poses", "20"});
   CAPTURE(result.out);
   CHECK(result.status == 1);
   std::istringstream lines(result.out);
@@ -194,19 +195,19 @@ TEST_CASE("check fails a mechanism whose Jacobian lies") {
 }
 
 TEST_CASE("check of a plugin that breaks is a plugin's failure") {
-  const Result result = pmreport({"check", FIXTURES "/faulty.so"});
+  const Result result = run_pmreport({"check", FIXTURES "/faulty.so"});
   CHECK(result.status == 3);
   CHECK_THAT(result.err, Contains("the cylinder has no oil"));
-  const Result none = pmreport({"check", FIXTURES "/no_symbol.so"});
+  const Result none = run_pmreport({"check", FIXTURES "/no_symbol.so"});
   CHECK(none.status == 3);
   CHECK_THAT(none.err, Contains("expected the exported data symbol 'pm_plugin'"));
-  const Result missing = pmreport({"check", "nowhere.so"});
+  const Result missing = run_pmreport({"check", "nowhere.so"});
   CHECK(missing.status == 3);
   CHECK_THAT(missing.err, Contains("nowhere.so"));
 }
 
 TEST_CASE("the version is told") {
-  const Result result = pmreport({"--version"});
+  const Result result = run_pmreport({"--version"});
   CHECK(result.status == 0);
   CHECK_THAT(result.out, StartsWith("pmreport 1."));
 }

@@ -22,7 +22,7 @@ struct Two {
   }
   Result run(std::vector<std::string> arguments, Surroundings surroundings = {}) const {
     surroundings.folder = here.path();
-    return pmreport(std::move(arguments), surroundings);
+    return run_pmreport(std::move(arguments), surroundings);
   }
   std::set<std::string> names() const {
     std::set<std::string> out;
@@ -106,7 +106,7 @@ TEST_CASE("machines are compared in a column each") {
   const std::string text = "title = \"t\"\n[mechanism]\nuse = \"gough\"\n[[section]]\nkind = \"transmission\"\nposes = [{}]\n";
   for (const char* machine : {"gough", "stewart", "parallel-cross"})
     here.write(std::string(machine) + ".toml", with(text, {{"gough", machine}}));
-  const Result three = pmreport({"compare", "gough.toml", "stewart.toml", "parallel-cross.toml"}, {.folder = here.path()});
+  const Result three = run_pmreport({"compare", "gough.toml", "stewart.toml", "parallel-cross.toml"}, {.folder = here.path()});
   INFO(three.out << three.err);
   CHECK(three.status == 1);
   CHECK_THAT(three.out, Contains("reports of different mechanisms, gough, stewart and parallel-cross"));

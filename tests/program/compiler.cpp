@@ -23,12 +23,6 @@ Result compile(const Workshop& here, const std::string& statement) {
              {.folder = here.path()});
 }
 
-int count(const std::string& text, const std::string& words) {
-  int n = 0;
-  for (std::size_t at = 0; (at = text.find(words, at)) != std::string::npos; at += words.size()) ++n;
-  return n;
-}
-
 }  // namespace
 
 TEST_CASE("length, unit and choose do on every scalar, and so do Eigen's own on plain numbers") {
@@ -45,7 +39,7 @@ TEST_CASE("Eigen's norm and normalized on a scalar, and an if, are one error tha
     const Result r = compile(here, statement);
     INFO(statement << '\n' << r.err);
     CHECK(r.status != 0);
-    CHECK(count(r.err, "error:") == 1);
+    CHECK(count_of(r.err, "error:") == 1);
     CHECK_THAT(r.err, Contains("length(v) for v.norm()") && Contains("unit(v) for v.normalized()") && Contains("choose(mask, a, b)"));
     CHECK_THAT(r.err, Contains("limb.cpp:5:"));  // the line of the statement
   }

@@ -28,7 +28,7 @@ std::vector<std::string> commands_in(const std::string& help) {
 void options_below(const std::vector<std::string>& command, std::set<std::string>& options, std::set<std::string>& commands) {
   std::vector<std::string> asked = command;
   asked.push_back("--help");
-  const std::string help = pmreport(asked).out;
+  const std::string help = run_pmreport(asked).out;
   static const std::regex option("\n  (?:-([a-z]),)?--([a-z-]+)");
   for (std::sregex_iterator i(help.begin(), help.end(), option), end; i != end; ++i) {
     options.insert((*i)[2]);
@@ -53,7 +53,7 @@ const Said& said() {
 
 // What bash offers where `words` are typed and the last one is at hand.
 std::string offered(const Workshop& here, const std::string& words) {
-  here.write("complete.bash", pmreport({"completion", "bash"}).out);
+  here.write("complete.bash", run_pmreport({"completion", "bash"}).out);
   here.write("ask.bash", "source complete.bash\nCOMP_WORDS=(" + words +
                              ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_pmreport " PROGRAM "\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n");
   return run({"bash", "ask.bash"}, {.folder = here.path()}).out;
@@ -66,7 +66,7 @@ TEST_CASE("every option and command of --help is in the completions and in the m
   REQUIRE(said().commands.contains("schema"));
   REQUIRE(said().commands.contains("mechanism"));
   for (const char* shell : {"bash", "zsh", "fish"}) {
-    const Result script = pmreport({"completion", shell});
+    const Result script = run_pmreport({"completion", shell});
     CAPTURE(shell);
     REQUIRE(script.status == 0);
     for (const std::string& option : said().options) {
@@ -75,7 +75,7 @@ TEST_CASE("every option and command of --help is in the completions and in the m
     }
     for (const std::string& command : said().commands) CHECK_THAT(script.out, Contains(command));
   }
-  const std::string page = pmreport({"man"}).out;
+  const std::string page = run_pmreport({"man"}).out;
   for (const std::string& option : said().options)
     CHECK_THAT(page, Contains("\\fB" + std::regex_replace((option.size() == 1 ? "-" : "--") + option, std::regex("-"), "\\-")));
   for (const std::string& command : said().commands) CHECK_THAT(page, Contains("\\fB" + command));
@@ -89,7 +89,7 @@ TEST_CASE("the completions are sound scripts of their shells") {
       continue;
     }
     CAPTURE(shell);
-    const Result sound = run({shell, "-n", here.write(std::string("completion.") + shell, pmreport({"completion", shell}).out)});
+    const Result sound = run({shell, "-n", here.write(std::string("completion.") + shell, run_pmreport({"completion", shell}).out)});
     CHECK(sound.status == 0);
     CHECK(sound.err == "");
   }
@@ -118,7 +118,7 @@ TEST_CASE("behind a command stand its own options and those of every command, no
                Contains("--threads\n") && Contains("--plugin-path\n") && !Contains("--baseline") && !Contains("--resume"));
   }
   CHECK_THAT(offered(here, "pmreport approve --"), Contains("--relative\n") && Contains("--failed\n") && !Contains("--out"));
-  const std::string fish = pmreport({"completion", "fish"}).out;
+  const std::string fish = run_pmreport({"completion", "fish"}).out;
   CHECK_THAT(fish, Contains("complete -c pmreport -n '__pmreport_at \\'\\'' -l baseline") && Contains("complete -c pmreport -l threads"));
 }
 
@@ -127,7 +127,7 @@ TEST_CASE("an output without a name is refused, not taken for one by default") {
   here.write("mine.toml", small);
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
            {"mine.toml", "-o", ""}, {"new", "scenario", "gough", "--out", ""}, {"mine.toml", "--baseline", ""}}) {
-    const Result result = pmreport(words, {.folder = here.path()});
+    const Result result = run_pmreport(words, {.folder = here.path()});
     CHECK(result.status == 2);
     CHECK_THAT(result.err, Contains("expected a name, seen nothing"));
   }
@@ -135,13 +135,13 @@ TEST_CASE("an output without a name is refused, not taken for one by default") {
 }
 
 TEST_CASE("a shell that is none is told those that are") {
-  const Result result = pmreport({"completion", "tcsh"});
+  const Result result = run_pmreport({"completion", "tcsh"});
   CHECK(result.status == 2);
   CHECK_THAT(result.err, Contains("bash") && Contains("zsh") && Contains("fish"));
 }
 
 TEST_CASE("the manual tells every exit status and every variable of the environment that README.md tells") {
-  const std::string readme = bytes_of(SOURCE "/README.md"), page = pmreport({"man"}).out;
+  const std::string readme = bytes_of(SOURCE "/README.md"), page = run_pmreport({"man"}).out;
   const std::size_t statuses = readme.find("| exit status |"), variables = readme.find("| environment |");
   REQUIRE(statuses < variables);
   static const std::regex status("\n\\| (\\d+)(?:, (\\d+))? \\|"), variable("\n\\| `([A-Z_]+)`");

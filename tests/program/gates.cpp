@@ -15,17 +15,11 @@ namespace {
 std::string checked(const std::string& checks) { return std::string(small.substr(0, small.find("[[check]]"))) + checks; }
 std::string check(const std::string& that, const std::string& bound) { return "[[check]]\nthat = \"" + that + "\"\n" + bound + "\n\n"; }
 
-Json results(const Workshop& here) { return Json::parse(bytes_of(here.report_folder() / "results.json")); }
+Json gate_results(const Workshop& here) { return Json::parse(bytes_of(here.report_folder() / "results.json")); }
 
-int count(const std::string& text, const std::string& part) {
-  int n = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++n;
-  return n;
-}
-
-// junit.xml is sound XML, counts what it holds, and agrees with the exit status and with results.json.
+// junit.xml is sound XML, counts what it holds, and agrees with the exit status and with gate_results.json.
 void check_consistent(const Workshop& here, int status) {
-  const Json json = results(here);
+  const Json json = gate_results(here);
   int failed = 0, errors = 0, all = 0;
   for (const Json& c : json["checks"]) ++all, failed += c["passed"] ? 0 : 1;
   for (const Json& s : json["sections"])
@@ -37,9 +31,9 @@ void check_consistent(const Workshop& here, int status) {
   const Result lint = run({"xmllint", "--noout", file});
   INFO(lint.err);
   CHECK(lint.status == 0);
-  CHECK(count(junit, "<testcase ") == all);
-  CHECK(count(junit, "<failure ") == failed);
-  CHECK(count(junit, "<error ") == errors);
+  CHECK(count_of(junit, "<testcase ") == all);
+  CHECK(count_of(junit, "<failure ") == failed);
+  CHECK(count_of(junit, "<error ") == errors);
   CHECK_THAT(junit, Contains("tests=\"" + std::to_string(all) + "\" failures=\"" + std::to_string(failed) + "\""));
 }
 
@@ -66,7 +60,7 @@ TEST_CASE("gates measure what the data say: largest, smallest, mean square, at a
                              (9 * (l[7] + l[8]) - l[6] - l[9]) / 16,  // 0.75 s lies halfway between two samples: the cubic through four
                              force,
                              *std::max_element(condition.begin(), condition.end())};
-  const Json checks = results(here)["checks"];
+  const Json checks = gate_results(here)["checks"];
   for (std::size_t i = 0; i < std::size(expected); ++i) {
     INFO(checks[i]["name"]);
     // The data have all digits. The cubic misses 3 h^4 / 128 times a fourth derivative, of 20 mm pi^4 / s^4 or so; a line 0.1 mm.
@@ -97,13 +91,13 @@ TEST_CASE("the option --quiet keeps the exit status of a broken gate") {
 TEST_CASE("results.json says what made it and what it holds") {
   const Workshop here;
   REQUIRE(here.report(small).status == 0);
-  const Json json = results(here);
+  const Json json = gate_results(here);
   CHECK(json["schema_version"] == 2);
   CHECK(json["title"] == "Small");
   CHECK(json["mechanism"]["name"] == "4sps-spr");
   const Json& from = json["provenance"];
   CHECK(from["program"] == "pmreport");
-  CHECK("pmreport " + from["version"].get<std::string>() + "\n" == pmreport({"--version"}).out);
+  CHECK("pmreport " + from["version"].get<std::string>() + "\n" == run_pmreport({"--version"}).out);
   CHECK(from["scenario"] == "scenario.toml");
   CHECK(run({"sha256sum", (here / "scenario.toml").string()}).out.substr(0, 64) == from["scenario_sha256"]);
   CHECK_FALSE(from["plugin_build"].get<std::string>().empty());

@@ -126,12 +126,6 @@ void check_xml(const std::string& xml) {
   CHECK(open.empty());
 }
 
-std::size_t count(const std::string& text, std::string_view what) {
-  std::size_t n = 0;
-  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += what.size()) ++n;
-  return n;
-}
-
 // Lines that a workflow would obey, those that the program means left out.
 int commands_of_workflows(const std::string& text) {
   int n = 0;
@@ -146,8 +140,8 @@ int commands_of_workflows(const std::string& text) {
 // Neither controls nor a turned direction, and valid UTF-8 enough that no stray byte is left.
 void check_printable(const std::string& text) {
   for (const char c : text) REQUIRE(((static_cast<unsigned char>(c) >= 0x20 && c != 0x7F) || c == '\n' || c == '\t'));
-  CHECK(count(text, turned) == 0);
-  CHECK(count(text, "\xFF") == 0);
+  CHECK(count_of(text, turned) == 0);
+  CHECK(count_of(text, "\xFF") == 0);
 }
 
 struct Hostile {
@@ -157,7 +151,7 @@ struct Hostile {
   }
   Result run(std::vector<std::string> arguments) const {
     arguments.insert(arguments.end(), {"--plugin-path", (workshop / "plugins").string()});
-    return pmreport(std::move(arguments), {.environment = {{"GITHUB_ACTIONS", "true"}}, .folder = workshop.path()});
+    return run_pmreport(std::move(arguments), {.environment = {{"GITHUB_ACTIONS", "true"}}, .folder = workshop.path()});
   }
   Workshop workshop;
 };
@@ -186,15 +180,15 @@ TEST_CASE("hostile words of a plugin and a scenario are words in every file of a
     if (kind == ".svg" || kind == ".xml") check_xml(bytes);
     if (kind == ".csv" || kind == ".svg" || kind == ".xml" || kind == ".html" || kind == ".md" || kind == ".json") {
       check_printable(bytes);
-      told += static_cast<int>(count(bytes, "calc"));
+      told += count_of(bytes, "calc");
     }
-    if (kind == ".svg" || kind == ".xml" || kind == ".html" || kind == ".md") CHECK(count(bytes, tag) == 0);
-    if (kind == ".svg" || kind == ".xml") CHECK(count(bytes, end_of_data) == 0);
+    if (kind == ".svg" || kind == ".xml" || kind == ".html" || kind == ".md") CHECK(count_of(bytes, tag) == 0);
+    if (kind == ".svg" || kind == ".xml") CHECK(count_of(bytes, end_of_data) == 0);
     // Scripts and styles of the page are its own.
     if (kind == ".html")
       for (const char* element : {"<script", "</script", "<style", "<iframe", "<img"})
-        CHECK(count(bytes, element) == count(harmless.at(name), element));
-    if (kind == ".glb" || kind == ".pdf") CHECK(count(bytes, "\x1b[31m") == 0);
+        CHECK(count_of(bytes, element) == count_of(harmless.at(name), element));
+    if (kind == ".glb" || kind == ".pdf") CHECK(count_of(bytes, "\x1b[31m") == 0);
   }
   CHECK(tables >= 5);
   CHECK(told > 50);
@@ -204,7 +198,7 @@ TEST_CASE("hostile words of a plugin and a scenario are words in every file of a
   std::size_t bars = 0;
   for (std::string line; std::getline(lines, line);) {
     CHECK(line.find("`") == line.find("\\`") + (line.find("`") == std::string::npos ? 0 : 1));
-    const std::size_t here_ = count(line, "|") - count(line, "\\|");
+    const std::size_t here_ = count_of(line, "|") - count_of(line, "\\|");
     if (line.starts_with("|")) CHECK((bars == 0 || here_ == bars));
     bars = line.starts_with("|") ? here_ : 0;
   }

@@ -83,7 +83,7 @@ struct Bench {
   Result import(const std::vector<std::string>& files) const {
     std::vector<std::string> words{"import"};
     words.insert(words.end(), files.begin(), files.end());
-    return pmreport(words, {.folder = here.path()});
+    return run_pmreport(words, {.folder = here.path()});
   }
   // Of one file of that name.
   Result import(const std::string& name, const std::string& text) const {

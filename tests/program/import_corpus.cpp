@@ -1,4 +1,4 @@
-// Settings that a fuzzer found, or began with. In the process itself: in a file of its own, for the tests' pmreport() is the program.
+// Settings that a fuzzer found, or began with. In the process itself: in a file of its own, for the tests' run_pmreport() is the program.
 #include <catch2/catch.hpp>
 #include <tests/fuzz/corpus.hpp>
 #include <tests/fuzz/import.hpp>

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 const std::string failing = with(small, {{"title = \"Small\"", "title = \"Fails & <b>bold</b>\""}, {"400 N", "1 N"}});
 const std::string wrong = with(small, {{"samples", "sampels"}});
 
-Result in(const Workshop& here, std::vector<std::string> arguments) { return pmreport(std::move(arguments), {.folder = here.path()}); }
+Result in(const Workshop& here, std::vector<std::string> arguments) { return run_pmreport(std::move(arguments), {.folder = here.path()}); }
 
 }  // namespace
 
@@ -173,8 +173,8 @@ TEST_CASE("a process that a plugin leaves behind keeps no other scenario waiting
   fs::create_directory(here / "plugins");
   fs::copy_file(fs::path(FIXTURES) / "forking.so", here / "plugins" / "forking.so");
   here.write("a.toml", slider);
-  const Result r =
-      pmreport({"a.toml", "a.toml", "-o", "all", "--plugin-path", "plugins"}, {.folder = here.path(), .out = here / "out", .no_err = true});
+  const Result r = run_pmreport({"a.toml", "a.toml", "-o", "all", "--plugin-path", "plugins"},
+                                {.folder = here.path(), .out = here / "out", .no_err = true});
   CHECK(r.status == 0);
   CHECK(fs::exists(here / "all/index.html"));
   CHECK_FALSE(fs::exists(here / "left-ended"));  // which it makes at its end

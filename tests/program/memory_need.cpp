@@ -13,12 +13,6 @@ using Catch::Contains;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool sanitized = true;  // takes memory of its own, several times that of the program
-#else
-constexpr bool sanitized = false;
-#endif
-
 std::string with_samples(int n) { return with(small, {{"samples = 21", "samples = " + std::to_string(n)}}); }
 
 double told_by_check(const Workshop& here, const std::string& scenario) {
@@ -75,7 +69,7 @@ TEST_CASE("pictures and grids are told by themselves") {
 }
 
 TEST_CASE("by default a report may take what the machine, its group of processes and its limits leave") {
-  if (sanitized) return;
+  if (sanitized) return;  // takes memory of its own, several times that of the program
   const Workshop here;
   here.write("scenario.toml", with_samples(200001));
   // Enough to read the scenario, and not for its report.
@@ -88,14 +82,14 @@ TEST_CASE("by default a report may take what the machine, its group of processes
 TEST_CASE("what is no size is refused") {
   for (const char* size : {"4", "GB", "-1 GB", "0 GB", "nan GB", "4 apples", "inf GB"}) {
     CAPTURE(size);
-    const Result r = pmreport({"scenario.toml", "--max-memory", size});
+    const Result r = run_pmreport({"scenario.toml", "--max-memory", size});
     CHECK(r.status == 2);
     CHECK_THAT(r.err, Contains("expected a size with its unit"));
   }
 }
 
 TEST_CASE("a report takes no more memory than was told, and no less than half of that") {
-  if (sanitized) return;
+  if (sanitized) return;  // takes memory of its own, several times that of the program
   const Workshop here;
   const std::string scenario = with_samples(40001);
   const double told = told_by_check(here, scenario), taken = peak_of(here, scenario);

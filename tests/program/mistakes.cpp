@@ -105,16 +105,16 @@ TEST_CASE("all mistakes of a file are told in one run and counted") {
 
 TEST_CASE("a scenario that is not there is refused") {
   const Workshop here;
-  const Result result = pmreport({"nowhere.toml"}, {.folder = here.path()});
+  const Result result = run_pmreport({"nowhere.toml"}, {.folder = here.path()});
   CHECK(result.status == 2);
   CHECK_THAT(result.err, Contains("nowhere.toml: error: "));
   CHECK(contents(here.path()).empty());
 }
 
 TEST_CASE("a command line that makes no sense is refused") {
-  CHECK(pmreport({"--no-such-option"}).status == 2);
-  CHECK(pmreport({}).status == 2);
-  CHECK(pmreport({"describe"}).status == 2);
-  CHECK(pmreport({"a.toml", "--threads", "0"}).status == 2);
-  CHECK(pmreport({"a.toml", "b.toml"}).status == 2);
+  CHECK(run_pmreport({"--no-such-option"}).status == 2);
+  CHECK(run_pmreport({}).status == 2);
+  CHECK(run_pmreport({"describe"}).status == 2);
+  CHECK(run_pmreport({"a.toml", "--threads", "0"}).status == 2);
+  CHECK(run_pmreport({"a.toml", "b.toml"}).status == 2);
 }

@@ -18,7 +18,7 @@ namespace {
 // As `pmreport list` has them: a line with the name, and one with the file below it.
 std::vector<std::string> mechanisms_found() {
   std::vector<std::string> out;
-  std::istringstream lines(pmreport({"list"}).out);
+  std::istringstream lines(run_pmreport({"list"}).out);
   for (std::string line; std::getline(lines, line);)
     if (!line.starts_with(" ")) out.push_back(line.substr(0, line.find(' ')));
   return out;
@@ -31,7 +31,7 @@ TEST_CASE("of every mechanism a scenario is printed that is valid, and passes wh
   const std::vector<std::string> names = mechanisms_found();
   REQUIRE(names.size() >= 4);
   for (const std::string& name : names) {
-    const Result printed = pmreport({"new", "scenario", name});
+    const Result printed = run_pmreport({"new", "scenario", name});
     CAPTURE(name, printed.out, printed.err);
     REQUIRE(printed.status == 0);
     const Workshop here;
@@ -47,7 +47,7 @@ TEST_CASE("of every mechanism a scenario is printed that is valid, and passes wh
 }
 
 TEST_CASE("a new scenario tells the parameters with their defaults, and what the motion asks for") {
-  const std::string text = pmreport({"new", "scenario", "delta"}).out;
+  const std::string text = run_pmreport({"new", "scenario", "delta"}).out;
   CHECK_THAT(text, StartsWith("title = \"delta: a gentle motion about home\"\n") && Contains("\n# arm_length = \"524 mm\"") &&
                        Contains("length L of an arm, from the motor's axis to the elbow; 1 mm to 100000 mm\n") &&
                        Contains("\nthat = \"max(abs(actuator_force))\"\n") && Contains("kind = \"stiffness\""));
@@ -55,33 +55,33 @@ TEST_CASE("a new scenario tells the parameters with their defaults, and what the
 
 TEST_CASE("a parameter of a new scenario counts once its line is one") {
   const Workshop here;
-  const std::string text = with(pmreport({"new", "scenario", "delta"}).out, {{"# arm_length = \"524 mm\"", "arm_length = \"530 mm\""}});
+  const std::string text = with(run_pmreport({"new", "scenario", "delta"}).out, {{"# arm_length = \"524 mm\"", "arm_length = \"530 mm\""}});
   CHECK(here.report(text, {"--check"}).status == 0);
   CHECK(here.report(with(text, {{"530 mm", "530 kg"}}), {"--check"}).status == 2);
 }
 
 TEST_CASE("two new scenarios of one mechanism are the same") {
-  CHECK(pmreport({"new", "scenario", "gough"}).out == pmreport({"new", "scenario", "gough"}).out);
+  CHECK(run_pmreport({"new", "scenario", "gough"}).out == run_pmreport({"new", "scenario", "gough"}).out);
 }
 
 TEST_CASE("a new scenario is written to a file, and over none") {
   const Workshop here;
   const std::string file = here / "mine.toml";
-  CHECK(pmreport({"new", "scenario", "delta", "--out", file}).status == 0);
+  CHECK(run_pmreport({"new", "scenario", "delta", "--out", file}).status == 0);
   const std::string written = bytes_of(file);
-  CHECK(written == pmreport({"new", "scenario", "delta"}).out);
-  const Result again = pmreport({"new", "scenario", "gough", "--out", file});
+  CHECK(written == run_pmreport({"new", "scenario", "delta"}).out);
+  const Result again = run_pmreport({"new", "scenario", "gough", "--out", file});
   CHECK(again.status == 2);
   CHECK_THAT(again.err, Contains("mine.toml is there already; choose another name with --out"));
   CHECK(bytes_of(file) == written);
-  CHECK(pmreport({"new", "scenario", "delta", "--out", here / "nowhere" / "mine.toml"}).status == 4);
+  CHECK(run_pmreport({"new", "scenario", "delta", "--out", here / "nowhere" / "mine.toml"}).status == 4);
 }
 
 TEST_CASE("a new scenario of what is no mechanism tells what is") {
-  const Result unknown = pmreport({"new", "scenario", "gouhg"});
+  const Result unknown = run_pmreport({"new", "scenario", "gouhg"});
   CHECK(unknown.status == 3);
   CHECK_THAT(unknown.err, Contains("no mechanism is called 'gouhg'; known: "));
-  const Result file = pmreport({"new", "scenario", PLUGINS "/delta.so"});
+  const Result file = run_pmreport({"new", "scenario", PLUGINS "/delta.so"});
   CHECK(file.status == 2);
   CHECK_THAT(file.err, Contains("expected the name of a mechanism") && Contains("--plugin-path"));
 }
@@ -90,7 +90,7 @@ TEST_CASE("defaults that a new scenario tells read back as the numbers that they
   for (const char* name : {"gough", "4sps-spr"}) {
     // Every parameter as a line of its own, but for those that another stands in the place of.
     std::string text;
-    std::istringstream printed(pmreport({"new", "scenario", name}).out);
+    std::istringstream printed(run_pmreport({"new", "scenario", name}).out);
     static const std::regex told("# [a-z_0-9]+ = .*");
     for (std::string line; std::getline(printed, line);)
       text += (std::regex_match(line, told) && line.find("not beside") == std::string::npos ? line.substr(2) : line) + "\n";
@@ -99,7 +99,7 @@ TEST_CASE("defaults that a new scenario tells read back as the numbers that they
     CAPTURE(name, text, run.err);
     REQUIRE(run.status == 0);
     const auto results = nlohmann::json::parse(bytes_of(here.report_folder() / "results.json"));
-    const auto described = nlohmann::json::parse(pmreport({"describe", name, "--json"}).out);
+    const auto described = nlohmann::json::parse(run_pmreport({"describe", name, "--json"}).out);
     std::size_t held = 0;
     for (const auto& p : described["parameters"])
       for (const auto& input : results["inputs"]) {

@@ -96,7 +96,7 @@ TEST_CASE("of two runs on one folder the second says so, and does not disturb th
   Process first({PROGRAM, "scenario.toml"}, {.folder = here.path(), .terminal = true});
   REQUIRE(first.says("samples of"));
   here.write("other.toml", small);
-  const Result second = pmreport({"other.toml", "--out", "scenario-report"}, {.folder = here.path()});
+  const Result second = run_pmreport({"other.toml", "--out", "scenario-report"}, {.folder = here.path()});
   CHECK(second.status == 4);
   CHECK_THAT(second.err, Contains("another run is writing it now"));
   first.send(SIGTERM);
@@ -218,6 +218,6 @@ TEST_CASE("a standard output that takes nothing is an output error, a standard e
   CHECK(here.report("", {}, {.no_err = true}).status == 2);
   here.write("scenario.toml", small);
   CHECK(run({"sh", "-c", "exec \"$0\" scenario.toml --quiet <&- >&- 2>&-", PROGRAM}, {.folder = here.path()}).status == 0);
-  CHECK(pmreport({"describe", "4sps-spr"}, {.out = "/dev/full"}).status == 4);
-  CHECK(pmreport({"describe", "4sps-spr"}, {.no_out = true}).status == 4);
+  CHECK(run_pmreport({"describe", "4sps-spr"}, {.out = "/dev/full"}).status == 4);
+  CHECK(run_pmreport({"describe", "4sps-spr"}, {.no_out = true}).status == 4);
 }

@@ -121,7 +121,7 @@ Result Process::finish() {
 
 Result run(const std::vector<std::string>& command, const Surroundings& s) { return Process(command, s).finish(); }
 
-Result pmreport(std::vector<std::string> arguments, const Surroundings& s) {
+Result run_pmreport(std::vector<std::string> arguments, const Surroundings& s) {
   arguments.insert(arguments.begin(), PROGRAM);
   return run(arguments, s);
 }

@@ -45,6 +45,6 @@ class Process {
 };
 
 Result run(const std::vector<std::string>& command, const Surroundings& surroundings = {});
-Result pmreport(std::vector<std::string> arguments, const Surroundings& surroundings = {});
+Result run_pmreport(std::vector<std::string> arguments, const Surroundings& surroundings = {});
 
 }  // namespace program_test

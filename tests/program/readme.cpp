@@ -39,7 +39,7 @@ TEST_CASE("the first scenario of README.md makes a report") {
   // At a sixteenth of the size of its pictures, which are not the point.
   const std::string quick = with(blocks("toml").at(0), {{"times = [\"0 s\", \"1 s\"]", "times = [\"0 s\", \"1 s\"]\nsize = [400, 300]"}});
   here.write("first.toml", quick);
-  const Result result = pmreport({"first.toml"}, {.folder = here.path()});
+  const Result result = run_pmreport({"first.toml"}, {.folder = here.path()});
   INFO(result.out << result.err);
   CHECK(result.status == 0);
   CHECK(std::filesystem::exists(here / "first-report/report.html"));
@@ -62,7 +62,7 @@ TEST_CASE("the tables of forces, drives and limits in README.md make reports") {
              of("gough", block_with("toml", "[drive.rho1]") + "[motion]\nduration = \"2 s\"\nsamples = 51\nx = \"5 mm * sin(pi*t/1 s)\"\n",
                 "dynamics drives reactions speed"));
   for (const char* file : {"forces.toml", "limits.toml"}) {
-    const Result result = pmreport({file}, {.folder = here.path()});
+    const Result result = run_pmreport({file}, {.folder = here.path()});
     INFO(file << '\n' << result.out << result.err);
     CHECK(result.status == 0);
   }
@@ -71,7 +71,7 @@ TEST_CASE("the tables of forces, drives and limits in README.md make reports") {
 TEST_CASE("the workspace of README.md makes a report") {
   const Workshop here;
   here.write("reach.toml", block_with("toml", "where it reaches"));
-  const Result report = pmreport({"reach.toml"}, {.folder = here.path()});
+  const Result report = run_pmreport({"reach.toml"}, {.folder = here.path()});
   INFO(report.out << report.err);
   CHECK(report.status == 0);
   CHECK(std::filesystem::exists(here / "reach-report/data/workspace.csv"));
@@ -80,7 +80,7 @@ TEST_CASE("the workspace of README.md makes a report") {
 TEST_CASE("the transmission of README.md makes a report, and its check passes") {
   const Workshop here;
   here.write("moves.toml", block_with("toml", "kind = \"transmission\""));
-  const Result report = pmreport({"moves.toml"}, {.folder = here.path()});
+  const Result report = run_pmreport({"moves.toml"}, {.folder = here.path()});
   INFO(report.out << report.err);
   CHECK(report.status == 0);
   CHECK(std::filesystem::exists(here / "moves-report/data/transmission-map.csv"));
@@ -111,7 +111,7 @@ TEST_CASE("the pieces of a mechanism in README.md stand in plugins/delta/mechani
 TEST_CASE("the Delta's scenario of README.md makes a report") {
   const Workshop here;
   here.write("around.toml", block_with("toml", "goes once around"));
-  const Result result = pmreport({"around.toml"}, {.folder = here.path()});
+  const Result result = run_pmreport({"around.toml"}, {.folder = here.path()});
   INFO(result.out << result.err);
   CHECK(result.status == 0);
   const auto statics = columns(here / "around-report/data/statics.csv");
@@ -123,7 +123,7 @@ TEST_CASE("the Delta's scenario of README.md makes a report") {
 
 TEST_CASE("README.md shows the commands and the CMakeLists.txt of a new mechanism") {
   const Workshop here;
-  REQUIRE(pmreport({"new", "mechanism", "my-robot"}, {.folder = here.path()}).status == 0);
+  REQUIRE(run_pmreport({"new", "mechanism", "my-robot"}, {.folder = here.path()}).status == 0);
   REQUIRE(blocks("cmake").size() == 1);
   CHECK(blocks("cmake")[0] == bytes_of(here / "my-robot/CMakeLists.txt"));
   const std::string readme = bytes_of(here / "my-robot/README.md"), opening = "```sh\n";
@@ -135,7 +135,7 @@ TEST_CASE("README.md shows the commands and the CMakeLists.txt of a new mechanis
 }
 
 TEST_CASE("README.md names every option and every exit status of the program") {
-  const std::string text = bytes_of(SOURCE "/README.md"), help = pmreport({"--help"}).out;
+  const std::string text = bytes_of(SOURCE "/README.md"), help = run_pmreport({"--help"}).out;
   const std::regex option("--[a-z][a-z-]+");
   int options = 0;
   for (auto at = std::sregex_iterator(help.begin(), help.end(), option); at != std::sregex_iterator(); ++at) {

@@ -40,7 +40,7 @@ std::string section_of(const std::string& kind) {
   return "[[section]]\nkind = \"" + kind + "\"\n" + (own != keys.end() ? own->second : "") + "\n";
 }
 
-std::string everything() {
+std::string every_section() {
   const std::string text(small);
   std::string out = text.substr(0, text.find("[[section]]")) + "[drive]\nlead = \"5 mm\"\n\n[limits]\nactuator_force = \"10 kN\"\n\n";
   for (const std::string& kind : registered_kinds()) out += section_of(kind);
@@ -61,7 +61,7 @@ void check_same(const std::map<std::string, std::string>& a, const std::map<std:
 TEST_CASE("the report depends neither on the run nor on locale, time zone, threads, folder or terminal") {
   const Workshop here;
   REQUIRE(registered_kinds().size() >= 15);
-  const std::string everything = ::everything();
+  const std::string everything = every_section();
   const Result made = here.report(everything);
   INFO(made.err);
   REQUIRE(made.status == 0);
@@ -99,7 +99,7 @@ TEST_CASE("the report depends neither on the run nor on locale, time zone, threa
     INFO("another working directory and another place");
     const Workshop elsewhere;
     const std::string out = (elsewhere / "a/b/report").string();
-    REQUIRE(pmreport({(here / "scenario.toml").string(), "--out", out}, {.folder = "/"}).status == 0);
+    REQUIRE(run_pmreport({(here / "scenario.toml").string(), "--out", out}, {.folder = "/"}).status == 0);
     check_same(first, contents(out));
   }
 }

@@ -14,12 +14,6 @@ using Catch::Contains;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool sanitized = true;  // has threads of its own before anything else
-#else
-constexpr bool sanitized = false;
-#endif
-
 bool kernel_has_landlock() { return syscall(SYS_landlock_create_ruleset, nullptr, 0, 1u) >= 1; }
 
 // A folder with a plugin that tries what it should not, a home, and a scenario in a folder between.
@@ -50,7 +44,7 @@ std::map<std::string, std::string> tried(const Result& r) {
 }  // namespace
 
 TEST_CASE("a plugin in the sandbox reaches neither home nor network nor programs, and its report is made") {
-  if (sanitized) return;
+  if (sanitized) return;  // has threads of its own before anything else
   const Trespass here;
   const Result r = here.run({"--sandbox"});
   INFO(r.err);
@@ -92,7 +86,7 @@ TEST_CASE("without the sandbox the same plugin gets its way") {
 }
 
 TEST_CASE("a plugin in the sandbox cannot have folders removed by the process that is in none") {
-  if (sanitized || !kernel_has_landlock()) return;
+  if (sanitized || !kernel_has_landlock()) return;  // has threads of its own before anything else
   for (const bool bound : {true, false}) {
     CAPTURE(bound);
     const Trespass here("slandering");
@@ -105,7 +99,7 @@ TEST_CASE("a plugin in the sandbox cannot have folders removed by the process th
 }
 
 TEST_CASE("a report in the sandbox has the same bytes, its mode is that of the earlier one, and other folders are named to it") {
-  if (sanitized || !kernel_has_landlock()) return;
+  if (sanitized || !kernel_has_landlock()) return;  // has threads of its own before anything else
   const Workshop here;
   const std::string pictures = with(small, {{"kind = \"velocity\"", "kind = \"snapshots\"\nsize = [200, 150]"}});
   REQUIRE(here.report(pictures, {"--out", "free"}).status == 0);
@@ -119,8 +113,8 @@ TEST_CASE("a report in the sandbox has the same bytes, its mode is that of the e
   CHECK(fs::status(here / "bound").permissions() == fs::perms::owner_all);
   CHECK(here.report(small, {"--out", "new/and/deep", "--sandbox", "--chunks", "elsewhere/chunks"}).status == 0);
   CHECK(here.report(small, {"--check", "--sandbox"}).status == 0);
-  CHECK(pmreport({"describe", "gough", "--sandbox"}).status == 0);
-  const Result many = pmreport({"scenario.toml", "scenario.toml", "--sandbox", "--out", "all"}, {.folder = here.path()});
+  CHECK(run_pmreport({"describe", "gough", "--sandbox"}).status == 0);
+  const Result many = run_pmreport({"scenario.toml", "scenario.toml", "--sandbox", "--out", "all"}, {.folder = here.path()});
   INFO(many.err);
   CHECK(many.status == 0);
 }

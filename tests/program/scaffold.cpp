@@ -17,7 +17,7 @@ namespace {
 
 Result make(const Workshop& here, const std::string& name, std::vector<std::string> more = {}) {
   more.insert(more.begin(), {"new", "mechanism", name});
-  return pmreport(more, {.folder = here.path()});
+  return run_pmreport(more, {.folder = here.path()});
 }
 
 // JointKind gives joint-kind.
@@ -125,8 +125,8 @@ TEST_CASE("a name that cannot be a mechanism's is refused with the rule") {
     CHECK(result.err == sentence);
   }
   CHECK(make(here, std::string(60, 'a')).status == 0);
-  CHECK(pmreport({"new", "mechanism"}, {.folder = here.path()}).status == 2);
-  CHECK(pmreport({"new"}, {.folder = here.path()}).status == 2);
+  CHECK(run_pmreport({"new", "mechanism"}, {.folder = here.path()}).status == 2);
+  CHECK(run_pmreport({"new"}, {.folder = here.path()}).status == 2);
   CHECK(contents(here.path()).size() == 4);
 }
 
@@ -159,7 +159,7 @@ TEST_CASE("a place where nothing can be written is told, with exit status 4") {
 }
 
 TEST_CASE("check of several mechanisms ends with a table of them") {
-  const Result result = pmreport({"check", "4sps-spr", "delta", FIXTURES "/lying.so", "--poses", "20"});
+  const Result result = run_pmreport({"check", "4sps-spr", "delta", FIXTURES "/lying.so", "--poses", "20"});
   CAPTURE(result.out, result.err);
   CHECK(result.status == 1);
   const std::string table = result.out.substr(result.out.rfind("\nmechanism "));
@@ -167,11 +167,11 @@ TEST_CASE("check of several mechanisms ends with a table of them") {
   CHECK(std::regex_search(table, std::regex("\ndelta +([0-9]+) of \\1 pass ")));
   CHECK(std::regex_search(table, std::regex("\nplain-slider +[0-9]+ of [0-9]+ FAIL ")));
   CHECK(std::count(table.begin(), table.end(), '\n') == 5);
-  CHECK(pmreport({"check", "4sps-spr", "delta", "--poses", "5"}).status == 0);
+  CHECK(run_pmreport({"check", "4sps-spr", "delta", "--poses", "5"}).status == 0);
 }
 
 TEST_CASE("check --all checks every mechanism found") {
-  const Result list = pmreport({"list"}), all = pmreport({"check", "--all", "--poses", "2"});
+  const Result list = run_pmreport({"list"}), all = run_pmreport({"check", "--all", "--poses", "2"});
   CAPTURE(all.out, all.err);
   CHECK(all.status == 0);
   const std::string table = all.out.substr(all.out.rfind("\nmechanism "));
@@ -181,14 +181,14 @@ TEST_CASE("check --all checks every mechanism found") {
 }
 
 TEST_CASE("a mechanism that breaks among several is told, and the others are checked") {
-  const Result result = pmreport({"check", FIXTURES "/faulty.so", "delta", "--poses", "5"});
+  const Result result = run_pmreport({"check", FIXTURES "/faulty.so", "delta", "--poses", "5"});
   CHECK(result.status == 3);
   CHECK_THAT(result.err, Contains("the cylinder has no oil"));
   CHECK_THAT(result.out, Contains("\ndelta "));
 }
 
 TEST_CASE("check without a mechanism says what it expects") {
-  const Result result = pmreport({"check"});
+  const Result result = run_pmreport({"check"});
   CHECK(result.status == 2);
   CHECK(result.err == "error: check expects a mechanism, several, --all, or --scenario FILE\n");
 }

@@ -90,14 +90,14 @@ class Validator {
 };
 
 const Validator& of_any() {
-  static const Validator validator(Json::parse(pmreport({"schema"}).out));
+  static const Validator validator(Json::parse(run_pmreport({"schema"}).out));
   return validator;
 }
 const Validator& of(const std::string& mechanism) {
   static std::map<std::string, Validator> known;
   const auto found = known.find(mechanism);
   return found != known.end() ? found->second
-                              : known.emplace(mechanism, Validator(Json::parse(pmreport({"schema", mechanism}).out))).first->second;
+                              : known.emplace(mechanism, Validator(Json::parse(run_pmreport({"schema", mechanism}).out))).first->second;
 }
 
 }  // namespace
@@ -148,7 +148,7 @@ TEST_CASE("the schema of a mechanism knows its coordinates, parameters and joint
 }
 
 TEST_CASE("a parameter is described by its title, range and default") {
-  const Json schema = Json::parse(pmreport({"schema", "delta"}).out);
+  const Json schema = Json::parse(run_pmreport({"schema", "delta"}).out);
   const Json& parameters = schema["properties"]["mechanism"]["properties"]["parameters"]["properties"];
   CHECK(parameters["arm_length"]["default"] == "524 mm");
   CHECK_THAT(parameters["arm_length"]["description"].get<std::string>(),
@@ -157,7 +157,7 @@ TEST_CASE("a parameter is described by its title, range and default") {
 }
 
 TEST_CASE("keys of a section carry the words of their table") {
-  const Json schema = Json::parse(pmreport({"schema"}).out);
+  const Json schema = Json::parse(run_pmreport({"schema"}).out);
   const Json& size = schema["$defs"]["section_snapshots"]["properties"]["size"];
   CHECK(size["minItems"] == 2);
   CHECK(size["items"]["minimum"] == 64);
@@ -166,7 +166,7 @@ TEST_CASE("keys of a section carry the words of their table") {
 
 // A key that is new to the reader is in the schema by itself; what it takes is seen once reports/program/cli/scenario_shape.cpp asks it.
 TEST_CASE("the schema says of every key outside of the sections what may stand there") {
-  const Json schema = Json::parse(pmreport({"schema", "4sps-spr"}).out);
+  const Json schema = Json::parse(run_pmreport({"schema", "4sps-spr"}).out);
   for (const auto& [key, value] : schema["properties"].items()) {
     CAPTURE(key);
     CHECK_FALSE(value.empty());
@@ -180,7 +180,7 @@ TEST_CASE("the schema says of every key outside of the sections what may stand t
 }
 
 TEST_CASE("the schema of an unknown mechanism tells the known ones") {
-  const Result result = pmreport({"schema", "gouhg"});
+  const Result result = run_pmreport({"schema", "gouhg"});
   CHECK(result.status == 3);
   CHECK_THAT(result.err, Contains("no mechanism is called 'gouhg'; known: "));
 }
@@ -188,7 +188,7 @@ TEST_CASE("the schema of an unknown mechanism tells the known ones") {
 TEST_CASE("a mechanism that cannot be made does not keep the schema of any from being printed") {
   const Workshop here;
   std::filesystem::copy(FIXTURES "/faulty.so", here / "faulty.so");
-  const Result result = pmreport({"schema", "--plugin-path", here.path()});
+  const Result result = run_pmreport({"schema", "--plugin-path", here.path()});
   CHECK(result.status == 0);
   CHECK_THAT(result.err, Contains("warning: not-finite is passed over: "));
   CHECK(Validator(Json::parse(result.out)).fault(scenario_of(std::string(small))) == "");

@@ -77,7 +77,7 @@ TEST_CASE("shards and ranks of any number make the report that one process makes
   here.write("s.toml", everything);
   const auto report = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "s.toml");
-    const Result result = pmreport(arguments, {.folder = here.path()});
+    const Result result = run_pmreport(arguments, {.folder = here.path()});
     INFO(result.out << result.err);
     REQUIRE(result.status == 0);
     return result.out;
@@ -90,7 +90,7 @@ TEST_CASE("shards and ranks of any number make the report that one process makes
   for (const std::string shard : {"2/3", "1/3", "3/3"})
     CHECK_THAT(report({"-o", "shards", "--shard", shard}), Contains("computed, 0 were there"));
   CHECK_FALSE(fs::exists(here / "shards"));
-  const Result merged = pmreport({"merge", "s.toml", "-o", "shards"}, {.folder = here.path()});
+  const Result merged = run_pmreport({"merge", "s.toml", "-o", "shards"}, {.folder = here.path()});
   INFO(merged.out << merged.err);
   REQUIRE(merged.status == 0);
   CHECK(contents(here / "shards") == alone);
@@ -109,34 +109,34 @@ TEST_CASE("shards and ranks of any number make the report that one process makes
 TEST_CASE("what shards have not done is told, and computed by --resume") {
   const Workshop here;
   here.write("s.toml", everything);
-  REQUIRE(pmreport({"s.toml", "-o", "r", "--shard", "1/2", "--chunks", "kept"}, {.folder = here.path()}).status == 0);
-  const Result early = pmreport({"merge", "s.toml", "-o", "r", "--chunks", "kept"}, {.folder = here.path()});
+  REQUIRE(run_pmreport({"s.toml", "-o", "r", "--shard", "1/2", "--chunks", "kept"}, {.folder = here.path()}).status == 0);
+  const Result early = run_pmreport({"merge", "s.toml", "-o", "r", "--chunks", "kept"}, {.folder = here.path()});
   CHECK(early.status == 2);
   CHECK_THAT(early.err, Contains("chunks of ") && Contains("are missing in kept") && Contains("run the shards that have not ended"));
   CHECK_FALSE(fs::exists(here / "r"));
-  const Result again = pmreport({"s.toml", "-o", "r", "--shard", "1/2", "--chunks", "kept"}, {.folder = here.path()});
+  const Result again = run_pmreport({"s.toml", "-o", "r", "--shard", "1/2", "--chunks", "kept"}, {.folder = here.path()});
   CHECK_THAT(again.out, Contains("0 chunks computed"));
-  REQUIRE(pmreport({"merge", "s.toml", "-o", "r", "--chunks", "kept", "--resume"}, {.folder = here.path()}).status == 0);
+  REQUIRE(run_pmreport({"merge", "s.toml", "-o", "r", "--chunks", "kept", "--resume"}, {.folder = here.path()}).status == 0);
   CHECK(fs::exists(here / "kept"));  // its name was given: whose it is, we do not know
-  REQUIRE(pmreport({"s.toml", "-o", "alone"}, {.folder = here.path()}).status == 0);
+  REQUIRE(run_pmreport({"s.toml", "-o", "alone"}, {.folder = here.path()}).status == 0);
   CHECK(contents(here / "r") == contents(here / "alone"));
 }
 
 TEST_CASE("chunks of another scenario, or what is damaged, are not gone on with") {
   const Workshop here;
   here.write("s.toml", everything);
-  REQUIRE(pmreport({"s.toml", "-o", "r", "--shard", "1/1"}, {.folder = here.path()}).status == 0);
+  REQUIRE(run_pmreport({"s.toml", "-o", "r", "--shard", "1/1"}, {.folder = here.path()}).status == 0);
   here.write("s.toml", with(everything, {{"20 mm * sin", "21 mm * sin"}}));
-  const Result other = pmreport({"merge", "s.toml", "-o", "r"}, {.folder = here.path()});
+  const Result other = run_pmreport({"merge", "s.toml", "-o", "r"}, {.folder = here.path()});
   CHECK(other.status == 2);
   CHECK_THAT(other.err, Contains("are missing"));
   here.write("s.toml", everything);
   for (const auto& work : fs::directory_iterator(here / "r.chunks"))
     if (fs::exists(work.path() / "0")) fs::resize_file(work.path() / "0", 50);
-  const Result damaged = pmreport({"merge", "s.toml", "-o", "r"}, {.folder = here.path()});
+  const Result damaged = run_pmreport({"merge", "s.toml", "-o", "r"}, {.folder = here.path()});
   CHECK(damaged.status == 2);
   CHECK_THAT(damaged.err, Contains("is damaged"));
-  const Result resumed = pmreport({"merge", "s.toml", "-o", "r", "--resume"}, {.folder = here.path()});
+  const Result resumed = run_pmreport({"merge", "s.toml", "-o", "r", "--resume"}, {.folder = here.path()});
   CHECK(resumed.status == 0);
   CHECK_THAT(resumed.err, Contains("not as written, and done again"));
 }
@@ -153,7 +153,7 @@ TEST_CASE("a rank that is killed costs its chunk alone") {
   const Result rerun = ranks(here, 2, {"s.toml", "-o", "r"});
   INFO(rerun.out << rerun.err);
   REQUIRE(rerun.status == 0);
-  REQUIRE(pmreport({"s.toml", "-o", "alone"}, {.folder = here.path()}).status == 0);
+  REQUIRE(run_pmreport({"s.toml", "-o", "alone"}, {.folder = here.path()}).status == 0);
   CHECK(contents(here / "r") == contents(here / "alone"));
 }
 
@@ -161,7 +161,7 @@ TEST_CASE("ranks that are told to end leave the earlier report as it was, and wh
   if (!fs::exists(parallel_program)) return;
   const Workshop here;
   here.write("s.toml", everything);
-  REQUIRE(pmreport({"s.toml", "-o", "r"}, {.folder = here.path()}).status == 0);
+  REQUIRE(run_pmreport({"s.toml", "-o", "r"}, {.folder = here.path()}).status == 0);
   const auto earlier = contents(here / "r");
   here.write("s.toml", with(everything, {{"61] }", "261] }"}}));
   for (const int signal : {SIGINT, SIGTERM}) {
@@ -211,9 +211,10 @@ TEST_CASE("a shard is one of its number, and of a report alone") {
   const Workshop here;
   here.write("s.toml", small);
   for (const std::string wrong : {"0/3", "4/3", "1", "a/b", "1/0", "-1/3", "1/3x", ""}) {
-    const Result result = pmreport({"s.toml", "--shard", wrong}, {.folder = here.path()});
+    const Result result = run_pmreport({"s.toml", "--shard", wrong}, {.folder = here.path()});
     CHECK(result.status == 2);
     CHECK_THAT(result.err, Contains("expected I/N with I from 1 to N, as in 3/64"));
   }
-  CHECK_THAT(pmreport({"merge", "s.toml", "--shard", "1/3"}, {.folder = here.path()}).err, Contains("--shard: expected with one scenario"));
+  CHECK_THAT(run_pmreport({"merge", "s.toml", "--shard", "1/3"}, {.folder = here.path()}).err,
+             Contains("--shard: expected with one scenario"));
 }

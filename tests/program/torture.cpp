@@ -16,14 +16,10 @@ using program_test::Workshop;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool sanitized = true;  // their own allocator cannot be failed from outside
-#else
-constexpr bool sanitized = false;
-#endif
-
-struct Bench {
-  Bench() { fs::create_directory(workshop / "plugins"), fs::copy_file(fs::path(FIXTURES) / "plain.so", workshop / "plugins" / "plain.so"); }
+struct Torment {
+  Torment() {
+    fs::create_directory(workshop / "plugins"), fs::copy_file(fs::path(FIXTURES) / "plain.so", workshop / "plugins" / "plain.so");
+  }
   Result report(const std::string& call, long at) const {
     return workshop.report(program_test::slider, {"--plugin-path", (workshop / "plugins").string()},
                            Surroundings{.environment = {{"LD_PRELOAD", FAIL_NTH},
@@ -46,8 +42,8 @@ struct Bench {
 }  // namespace
 
 TEST_CASE("every write, sync, rename, folder and file that fails is told, and the report is whole") {
-  if (sanitized) return;
-  const Bench bench;
+  if (sanitized) return;  // their own allocator cannot be failed from outside
+  const Torment bench;
   for (const char* call : {"write", "fsync", "rename", "mkdir"}) {
     const long all = bench.count(call);
     const auto good = program_test::contents(bench.workshop.report_folder());
@@ -67,8 +63,8 @@ TEST_CASE("every write, sync, rename, folder and file that fails is told, and th
 }
 
 TEST_CASE("memory and threads that are not to be had are told as that, and not as the plugin's fault") {
-  if (sanitized) return;
-  const Bench bench;
+  if (sanitized) return;  // their own allocator cannot be failed from outside
+  const Torment bench;
   std::mt19937 random(20261201);
   std::set<int> seen;
   for (const char* call : {"malloc", "thread"}) {
@@ -91,8 +87,8 @@ TEST_CASE("memory and threads that are not to be had are told as that, and not a
 
 // Libraries are set up before main(), where nobody can take what they throw.
 TEST_CASE("memory that is lacking before the work has begun is no plugin's fault") {
-  if (sanitized) return;
-  const Bench bench;
+  if (sanitized) return;  // their own allocator cannot be failed from outside
+  const Torment bench;
   const Result r = bench.report("malloc", 1);
   CAPTURE(r.err);
   CHECK(r.status == 5);

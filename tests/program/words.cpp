@@ -23,7 +23,7 @@ TEST_CASE("titles and paths may be of any script, with blanks and quotes") {
   const Workshop here;
   const std::string folder = "Prüfung 机构 'neu' & <b>", title = "Größe θ, 并联机构, Механизм";
   here.write(folder + "/Maß.toml", with(small, {{"Small", title}}));
-  const Result result = pmreport({folder + "/Maß.toml", "--out", folder + "/Bericht 报告"}, {.folder = here.path()});
+  const Result result = run_pmreport({folder + "/Maß.toml", "--out", folder + "/Bericht 报告"}, {.folder = here.path()});
   INFO(result.err);
   CHECK(result.status == 0);
   CHECK_THAT(result.out, Contains(folder + "/Bericht 报告/report.html"));
@@ -38,7 +38,7 @@ TEST_CASE("titles and paths may be of any script, with blanks and quotes") {
 TEST_CASE("the report's folder is named after the scenario") {
   const Workshop here;
   here.write("sub/my.first.toml", small);
-  REQUIRE(pmreport({"sub/my.first.toml"}, {.folder = here.path()}).status == 0);
+  REQUIRE(run_pmreport({"sub/my.first.toml"}, {.folder = here.path()}).status == 0);
   CHECK(std::filesystem::exists(here / "my.first-report/report.html"));
 }
 

@@ -36,7 +36,13 @@ Result Workshop::report(std::string_view text, std::vector<std::string> more, Su
   write("scenario.toml", text);
   more.insert(more.begin(), "scenario.toml");
   surroundings.folder = path_;
-  return pmreport(more, surroundings);
+  return run_pmreport(more, surroundings);
+}
+
+int count_of(const std::string& text, std::string_view part) {
+  int n = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++n;
+  return n;
 }
 
 std::string bytes_of(const fs::path& file) {

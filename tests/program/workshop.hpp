@@ -12,6 +12,13 @@
 
 namespace program_test {
 
+// Sanitizers bring an allocator, threads and memory of their own.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool sanitized = true;
+#else
+inline constexpr bool sanitized = false;
+#endif
+
 class Workshop {
  public:
   Workshop();
@@ -31,6 +38,7 @@ class Workshop {
 };
 
 std::string bytes_of(const std::filesystem::path& file);
+int count_of(const std::string& text, std::string_view part);
 // All files below a folder by their relative paths, with their bytes.
 std::map<std::string, std::string> contents(const std::filesystem::path& folder);
 

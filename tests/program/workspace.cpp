@@ -54,7 +54,7 @@ TEST_CASE("the safe box is printed for controllers, rounded to the safe side") {
   here.write("s.toml", scenario("gough", "safe = false\n" + cube));
   const auto printed = [&](std::vector<std::string> more) {
     more.insert(more.begin(), {"limits", "s.toml"});
-    return pmreport(more, {.folder = here.path()});
+    return run_pmreport(more, {.folder = here.path()});
   };
   const Result toml = printed({});
   INFO(toml.out << toml.err);
@@ -76,11 +76,11 @@ TEST_CASE("the safe box is printed for controllers, rounded to the safe side") {
 TEST_CASE("safe limits of a scenario without a workspace, or of a home outside, are told as what is missing") {
   const Workshop here;
   here.write("s.toml", small);
-  const Result none = pmreport({"limits", "s.toml"}, {.folder = here.path()});
+  const Result none = run_pmreport({"limits", "s.toml"}, {.folder = here.path()});
   CHECK(none.status == 2);
   CHECK_THAT(none.err, Contains("expected a section \"workspace\""));
   here.write("s.toml", scenario("gough", cube + "[[section.limit]]\nvalue = \"rho3\"\nmin = \"1.3 m\"\n"));
-  const Result outside = pmreport({"limits", "s.toml"}, {.folder = here.path()});
+  const Result outside = run_pmreport({"limits", "s.toml"}, {.folder = here.path()});
   CHECK(outside.status == 1);
   CHECK_THAT(outside.err, Contains("home lies outside") && Contains("rho3<"));
 }
@@ -213,7 +213,7 @@ TEST_CASE("a tool point is told by three lengths, of a mechanism whose coordinat
 TEST_CASE("a scan that was interrupted goes on where it stopped, to the same bytes") {
   const Workshop here;
   here.write("scenario.toml", long_scan);
-  REQUIRE(pmreport({"scenario.toml", "-o", "whole"}, {.folder = here.path()}).status == 0);
+  REQUIRE(run_pmreport({"scenario.toml", "-o", "whole"}, {.folder = here.path()}).status == 0);
   const auto interrupted = [&](std::vector<std::string> more, const std::function<bool(Process&)>& in_the_middle) {
     std::vector<std::string> command{PROGRAM, "scenario.toml", "-o", "parts", "--threads", "1"};
     command.insert(command.end(), more.begin(), more.end());
@@ -233,7 +233,7 @@ TEST_CASE("a scan that was interrupted goes on where it stopped, to the same byt
     return kept() > 0;
   });
   CHECK(kept() < 3);
-  const Result resumed = pmreport({"scenario.toml", "-o", "parts", "--resume"}, {.folder = here.path()});
+  const Result resumed = run_pmreport({"scenario.toml", "-o", "parts", "--resume"}, {.folder = here.path()});
   INFO(resumed.err);
   REQUIRE(resumed.status == 0);
   CHECK(contents(here / "whole") == contents(here / "parts"));

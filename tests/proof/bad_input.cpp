@@ -15,7 +15,7 @@ using namespace pmreport::test;
 
 namespace {
 
-using State = Claim::State;
+using ClaimState = Claim::State;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 const Pieces slide = Cubic{0, {-0.3, 0.05, 0, 0}};
@@ -35,7 +35,7 @@ MotionProof proof_with(Change&& change, const ProofOptions& options = {}) {
 
 bool within_budget(const MotionProof& p, const ProofOptions& options = {}) { return p.evaluations <= 2 * options.most_intervals; }
 
-long undecided(const MotionProof& p) { return std::ranges::count(p.claims, State::undecided, &Claim::state); }
+long undecided(const MotionProof& p) { return std::ranges::count(p.claims, ClaimState::undecided, &Claim::state); }
 
 }  // namespace
 
@@ -45,12 +45,12 @@ TEST_CASE("a motion without bounds about an instant is undecided there, and deci
     return true;
   });
   const Claim& stroke = p.claims[1];
-  CHECK(stroke.state == State::undecided);
+  CHECK(stroke.state == ClaimState::undecided);
   REQUIRE(stroke.undecided.size() == 1);
   CHECK(stroke.undecided[0].has(3.3));
   CHECK(stroke.undecided[0].width() < 1e-6);
-  CHECK(p.claims[2].state == State::holds);  // the turn has nothing to do with it
-  CHECK(p.claims.back().state == State::undecided);
+  CHECK(p.claims[2].state == ClaimState::holds);  // the turn has nothing to do with it
+  CHECK(p.claims.back().state == ClaimState::undecided);
   CHECK_FALSE(p.exhausted);
   CHECK(within_budget(p));
   CHECK_FALSE(p.extreme(ColumnId::named("q"))->largest.bounded());
@@ -115,7 +115,7 @@ TEST_CASE("the bound on intervals is kept, and told where it stops the proof") {
     const MotionProof p = prove_motion(*machine, motion, {}, options);
     CHECK(p.exhausted);
     CHECK(within_budget(p, options));
-    CHECK(p.claims[1].state == State::broken);
+    CHECK(p.claims[1].state == ClaimState::broken);
     CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(10));
     CHECK(joined(contradictions(*machine, p, law_of({Pieces(turns, 1), 0.1}), {.dense = 500})) == "");
   }
@@ -127,7 +127,7 @@ TEST_CASE("a motion of a hundred thousand knots that hardly moves is proved at t
   for (int k = 0; k < many; ++k) pieces.push_back({10.0 * k / many, {0.1, 0, 1e-3, 0}});
   const auto machine = probe();
   const MotionProof p = prove_motion(*machine, pieces_motion({Pieces(pieces, 0), 0.1}, 0, 10), {});
-  CHECK(p.claims[1].state == State::holds);
+  CHECK(p.claims[1].state == ClaimState::holds);
   CHECK(within_budget(p));
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <bit>
 #include <catch2/catch.hpp>
+#include <core/numbers.hpp>
 #include <core/program/intervals/interval_lanes.hpp>
 #include <core/program/intervals/rounding.hpp>
 #include <cstdint>
@@ -12,7 +13,6 @@ using namespace pmreport::program;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Numbers = std::array<double, Lanes::width>;
 using Intervals = std::array<Interval, Lanes::width>;
 

@@ -1,10 +1,10 @@
 // What intervals say, and when they say nothing. That they hold what they must is judged by other programs: tests/judges/intervals.
 #include <catch2/catch.hpp>
+#include <core/numbers.hpp>
 #include <core/program/intervals/interval.hpp>
 #include <core/program/intervals/rounding.hpp>
 #include <cstdint>
 #include <functional>
-#include <numbers>
 #include <pmreport/jet.hpp>
 #include <pmreport/partials.hpp>
 #include <random>
@@ -15,9 +15,8 @@ using namespace pmreport::program;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity(), no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double least = std::numeric_limits<double>::denorm_min(), greatest = std::numeric_limits<double>::max();
-constexpr double pi = std::numbers::pi;
 
 // Of f() with rounding upward.
 template <class F>

@@ -1,4 +1,5 @@
 // Lists of steps that are programs, and lists that are not.
+#include <core/numbers.hpp>
 #include <tests/fuzz/corpus.hpp>
 #include <tests/fuzz/recorded_program.hpp>
 #include <tests/recorded_program/recording.hpp>
@@ -25,7 +26,7 @@ std::string refusal(const std::vector<Step>& steps, int inputs, const std::vecto
 }
 
 constexpr Step x0{Operation::input, 0, 0, 0, 0}, x1{Operation::input, 1, 0, 0, 0};
-constexpr double infinity = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 

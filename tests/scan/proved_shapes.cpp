@@ -1,7 +1,7 @@
 // Brackets of shapes with edges and corners, of several orientations, and of what is hardly a shape at all.
 #include <catch2/catch.hpp>
-#include <core/scan/proved_volume.hpp>
 #include <tests/scan/closed_sets.hpp>
+#include <tests/scan/holds.hpp>
 
 #include <random>
 #include <stdexcept>
@@ -12,13 +12,6 @@ using program::Bounds;
 
 namespace {
 
-constexpr double of_the_form = 1e-14;  // what a closed form in double precision may be off by, relative
-
-void check_holds(const ProvedVolume& proved, double truth) {
-  INFO("[" << proved.volume.low << ", " << proved.volume.high << "] for " << truth << " " << proved.why);
-  CHECK(proved.volume.low <= truth * (1 + of_the_form));
-  CHECK(truth * (1 - of_the_form) <= proved.volume.high);
-}
 ProvedVolume to(double gap, const PoseSet& set, const Scan& scan, std::size_t need = 1) {
   VolumeOptions options;
   options.gap = gap;

@@ -1,7 +1,7 @@
 // Brackets of volumes against closed forms.
 #include <catch2/catch.hpp>
-#include <core/scan/proved_volume.hpp>
 #include <tests/scan/closed_sets.hpp>
+#include <tests/scan/holds.hpp>
 
 #include <tbb/global_control.h>
 #include <random>
@@ -11,14 +11,6 @@ using namespace pmreport::scan;
 
 namespace {
 
-// What a closed form in double precision may be off by, relative.
-constexpr double of_the_form = 1e-14;
-
-void check_holds(const ProvedVolume& proved, double truth) {
-  INFO("[" << proved.volume.low << ", " << proved.volume.high << "] for " << truth << " " << proved.why);
-  CHECK(proved.volume.low <= truth * (1 + of_the_form));
-  CHECK(truth * (1 - of_the_form) <= proved.volume.high);
-}
 void check_reaches(const ProvedVolume& proved, double gap) {
   CHECK(proved.enough);
   CHECK(proved.why.empty());

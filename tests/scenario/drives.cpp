@@ -1,7 +1,7 @@
 // [drive]. The stage drives its slide q by a screw and its turn psi by a gear; machines of one sort are made for the purpose.
 #include <catch2/catch.hpp>
+#include <core/numbers.hpp>
 #include <core/scenario/sizing_part.hpp>
-#include <numbers>
 #include <tests/scenario/trial.hpp>
 
 using namespace pmreport;
@@ -36,8 +36,6 @@ std::string told_by(const std::string& unit, const std::string& drive) {
   }
   return {};
 }
-
-constexpr double pi = std::numbers::pi;
 
 }  // namespace
 

@@ -15,7 +15,7 @@ Loaded loaded(const std::string& more) {
   INFO(told(text));
   return load_text(text, "a.toml", stage::source(), section::kinds());
 }
-std::string told_of(const std::string& more) { return told(with_more(section_text + more)); }
+std::string told_of_elasticity(const std::string& more) { return told(with_more(section_text + more)); }
 std::string element(const std::string& lines) { return "[[element]]\nname = \"part\"\n" + lines; }
 
 }  // namespace
@@ -105,13 +105,14 @@ TEST_CASE("mistakes in elements are told with what to write") {
   };
   for (const Case& c : cases) {
     CAPTURE(c.more);
-    CHECK_THAT(told_of(c.more), Contains(c.expected));
+    CHECK_THAT(told_of_elasticity(c.more), Contains(c.expected));
   }
 }
 
 TEST_CASE("what the section itself cannot take is told") {
-  CHECK_THAT(told_of("tool = [\"1 mm\", \"2 mm\"]\n"), Contains("lengths, x y z in the platform's axes"));
-  CHECK_THAT(told_of("axes = \"world\"\n"), Contains("expected \"base\" or \"platform\""));
-  CHECK_THAT(told_of("times = [\"9 s\"]\n"), Contains("9 s"));
-  CHECK_THAT(told_of("map = { x = [\"-10 mm\", \"10 mm\"], phi = [\"-1 deg\", \"1 deg\"], show = [\"pG_max\"] }\n"), Contains("pG_max"));
+  CHECK_THAT(told_of_elasticity("tool = [\"1 mm\", \"2 mm\"]\n"), Contains("lengths, x y z in the platform's axes"));
+  CHECK_THAT(told_of_elasticity("axes = \"world\"\n"), Contains("expected \"base\" or \"platform\""));
+  CHECK_THAT(told_of_elasticity("times = [\"9 s\"]\n"), Contains("9 s"));
+  CHECK_THAT(told_of_elasticity("map = { x = [\"-10 mm\", \"10 mm\"], phi = [\"-1 deg\", \"1 deg\"], show = [\"pG_max\"] }\n"),
+             Contains("pG_max"));
 }

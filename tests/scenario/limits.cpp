@@ -21,7 +21,7 @@ MotionLimits limits_of(std::string_view lines) {
   INFO(told(text));
   return load_text(text, "a.toml", stage::source(), section::kinds()).scenario.limits;
 }
-std::string told_of(std::string_view lines) { return told(limited(lines)); }
+std::string limits_told(std::string_view lines) { return told(limited(lines)); }
 
 MechanismSource crank() {
   return {[](const std::string& name) { return name == "crank" ? &test::slider_crank() : nullptr; }, {"crank"}};
@@ -64,11 +64,11 @@ TEST_CASE("a limit by name is in the unit of what it is on, and leaves the other
 }
 
 TEST_CASE("one value for linear and rotary actuators is refused") {
-  CHECK(told_of("actuator_force = \"500 N\"\n") ==
+  CHECK(limits_told("actuator_force = \"500 N\"\n") ==
         "a.toml:13:18: error: expected a table by name, seen one value for all: q is linear, and psi is rotary\n"
         "  actuator_force = \"500 N\"\n                   ^\n"
         "  hint: write actuator_force = { q = \"10 N\", psi = \"10 N*m\" }");
-  CHECK_THAT(told_of("actuator_speed = \"1 m/s\"\n"), Contains("write actuator_speed = { q = \"20 mm/s\", psi = \"30 deg/s\" }"));
+  CHECK_THAT(limits_told("actuator_speed = \"1 m/s\"\n"), Contains("write actuator_speed = { q = \"20 mm/s\", psi = \"30 deg/s\" }"));
 }
 
 TEST_CASE("a ball transmits no moment that could be limited") {
@@ -115,7 +115,7 @@ TEST_CASE("a limit that is none is refused") {
   };
   for (const auto& [lines, message] : cases) {
     CAPTURE(lines);
-    CHECK_THAT(told_of(lines), Contains(message));
+    CHECK_THAT(limits_told(lines), Contains(message));
   }
   CHECK_THAT(told("limits = \"5 N\"\n" + std::string(sound)), Contains("expected a table [limits], seen the text \"5 N\""));
 }

@@ -1,6 +1,6 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
-#include <numbers>
+#include <core/numbers.hpp>
 #include <random>
 #include <reports/scene/scene.hpp>
 
@@ -9,7 +9,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 constexpr double rounding = 1e-9;  // [px] of numbers below 1e4 after a dozen operations
 
 // The camera as a turn of the world: about z by -azimuth, then about x by elevation, so that the line of sight becomes +Y, up stays Z.

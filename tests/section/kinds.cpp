@@ -79,7 +79,7 @@ scenario::Kinds with_wheel() {
   return all;
 }
 
-std::string told(const std::string& text) {
+std::string told_with_wheel(const std::string& text) {
   try {
     (void)scenario::load_text(text, "a.toml", stage::source(), with_wheel());
   } catch (const scenario::ScenarioError& e) {
@@ -110,7 +110,7 @@ TEST_CASE("a kind of a test's own is read by its keys") {
 }
 
 TEST_CASE("mistakes in a kind of a test's own are told as in any other") {
-  const auto tell = [](const std::string& lines) { return told(trial::with_more(limits + wheel(lines))); };
+  const auto tell = [](const std::string& lines) { return told_with_wheel(trial::with_more(limits + wheel(lines))); };
   CHECK_THAT(tell(""), Contains("expected the key \"radius\" in [[section]]") && Contains("add a line: radius = \"0.5 m\""));
   CHECK_THAT(tell("radius = \"1 m\"\nturns = 10\n"),
              Contains("a.toml:17:9: error: expected a whole number from 1 to 9, seen the number 10"));
@@ -118,15 +118,19 @@ TEST_CASE("mistakes in a kind of a test's own are told as in any other") {
                                                             "\"turns\"?") &&
                                                        Contains("the keys are kind, title, turns, name, radius and place"));
   CHECK_THAT(tell("radius = \"1 m\"\nplace = \"max(l7)\"\n"), Contains("no column or group is called \"l7\""));
-  CHECK_THAT(told(trial::with_more(wheel("radius = \"1 m\"\n"))), Contains("a section \"wheel\" needs a limit, and there is none"));
-  CHECK_THAT(told(trial::with_more(limits)), Contains("[limits] is for the section \"wheel\", which this scenario does not have") &&
-                                                 Contains("kind = \"wheel\"; wheels alone heed them"));
-  CHECK_THAT(told(trial::with_more("[[section]]\nkind = \"weel\"\n")), Contains("did you mean \"wheel\"?"));
+  CHECK_THAT(told_with_wheel(trial::with_more(wheel("radius = \"1 m\"\n"))),
+             Contains("a section \"wheel\" needs a limit, and there is none"));
+  CHECK_THAT(told_with_wheel(trial::with_more(limits)),
+             Contains("[limits] is for the section \"wheel\", which this scenario does not have") &&
+                 Contains("kind = \"wheel\"; wheels alone heed them"));
+  CHECK_THAT(told_with_wheel(trial::with_more("[[section]]\nkind = \"weel\"\n")), Contains("did you mean \"wheel\"?"));
 }
 
 TEST_CASE("checks find the quantities of a kind of a test's own, as its options have them") {
   const auto check = [](const char* that) { return "[[check]]\nthat = \"" + std::string(that) + "\"\nbelow = \"9 m\"\n"; };
-  const auto tell = [&](const char* that, const std::string& sections) { return told(trial::with_more(limits + sections + check(that))); };
+  const auto tell = [&](const char* that, const std::string& sections) {
+    return told_with_wheel(trial::with_more(limits + sections + check(that)));
+  };
   const std::string asked = wheel("turns = 2\nradius = \"1 m\"\n");
   CHECK(tell("wheel.way", asked).empty());
   CHECK(tell("wheel.way_2", asked).empty());

@@ -16,7 +16,7 @@ using report_words::row_of, report_words::value;
 
 namespace {
 
-std::string check(const std::string& that, const std::string& below) {
+std::string check_text(const std::string& that, const std::string& below) {
   return "[[check]]\nthat = \"" + that + "\"\nbelow = \"" + below + "\"\n";
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("the values of a report are the smallest and the largest of every colu
 }
 
 TEST_CASE("checks of the scenario come first, then what every report demands") {
-  const auto r = of_gantry(asking_for({"displacement"}) + check("max(x)", "60 mm") + check("max(q)", "40 mm"));
+  const auto r = of_gantry(asking_for({"displacement"}) + check_text("max(x)", "60 mm") + check_text("max(q)", "40 mm"));
   REQUIRE(r.checks.size() == 6);
   CHECK(r.checks[0].name == "max(x) < 60 mm");
   CHECK(r.checks[0].passed);
@@ -94,7 +94,7 @@ TEST_CASE("a report without a failure has passed, and finds no fault") {
 }
 
 TEST_CASE("findings tell what failed before they tell what was found") {
-  const auto r = of_stage("", "x = \"300 mm * t / 1 s\"\nphi = \"0 deg\"\n", asking_for({"displacement"}) + check("max(x)", "0.5 m"));
+  const auto r = of_stage("", "x = \"300 mm * t / 1 s\"\nphi = \"0 deg\"\n", asking_for({"displacement"}) + check_text("max(x)", "0.5 m"));
   using Kind = document::Finding::Kind;
   REQUIRE(r.findings.size() >= 2);
   CHECK(r.findings[0].kind == Kind::fault);

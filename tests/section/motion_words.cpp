@@ -1,4 +1,4 @@
-// What a report says of a motion that jumps, or that its samples do not show.
+// What a report_of says of a motion that jumps, or that its samples do not show.
 #include <catch2/catch.hpp>
 #include <tests/section/whole_report.hpp>
 
@@ -10,7 +10,7 @@ using Catch::Contains;
 
 namespace {
 
-document::Report report(const std::string& motion, const std::vector<std::string>& kinds) {
+document::Report report_of(const std::string& motion, const std::vector<std::string>& kinds) {
   return of_stage("", motion, asking_for(kinds));
 }
 
@@ -43,7 +43,7 @@ TEST_CASE("a corner fails the report where rates or forces are asked for, and is
   const std::string sentence = "The rate of x jumps by 200 mm/s at t = 0.5 s: no finite force follows it.";
   for (const char* kind : {"velocity", "acceleration", "dynamics"}) {
     CAPTURE(kind);
-    const document::Report r = report(corner, {kind});
+    const document::Report r = report_of(corner, {kind});
     REQUIRE(smoothness(r));
     CHECK_FALSE(smoothness(r)->passed);
     CHECK(smoothness(r)->message == sentence);
@@ -51,21 +51,21 @@ TEST_CASE("a corner fails the report where rates or forces are asked for, and is
     CHECK_FALSE(r.passed());
     CHECK_THAT(faults(r), Contains(sentence));
   }
-  const document::Report places = report(corner, {"displacement"});
+  const document::Report places = report_of(corner, {"displacement"});
   CHECK_FALSE(smoothness(places));
   CHECK(places.passed());
   CHECK_THAT(faults(places), Contains(sentence));
 }
 
 TEST_CASE("many jumps are one sentence with the first times and the largest jump") {
-  const document::Report r = report("x = \"1 mm * abs(sin(pi*5*t/1 s))\"\n", {"velocity"});
+  const document::Report r = report_of("x = \"1 mm * abs(sin(pi*5*t/1 s))\"\n", {"velocity"});
   REQUIRE(smoothness(r));
   CHECK(smoothness(r)->message ==
         "The rate of x jumps 9 times, by up to 31.42 mm/s, at t = 0.2 s, 0.4 s, 0.6 s and later: no finite force follows it.");
 }
 
 TEST_CASE("a jump of acceleration alone is legal, and noted") {
-  const document::Report r = report("x = \"1 mm/s^2 * max(t - 1.1 s, 0 s)^2\"\nphi = \"1 deg * sin(t/1 s)\"\n", {"dynamics"});
+  const document::Report r = report_of("x = \"1 mm/s^2 * max(t - 1.1 s, 0 s)^2\"\nphi = \"1 deg * sin(t/1 s)\"\n", {"dynamics"});
   REQUIRE(smoothness(r));
   CHECK(smoothness(r)->passed);
   CHECK(r.passed());
@@ -73,7 +73,7 @@ TEST_CASE("a jump of acceleration alone is legal, and noted") {
 }
 
 TEST_CASE("what moves between the samples fails the report, with its size and the number of samples that would do") {
-  const document::Report r = report("x = \"1 mm * sin(2*pi*10 Hz*t)\"\n", {"displacement"});
+  const document::Report r = report_of("x = \"1 mm * sin(2*pi*10 Hz*t)\"\n", {"displacement"});
   REQUIRE(visibility(r));
   CHECK_FALSE(visibility(r)->passed);
   CHECK(visibility(r)->measured == "1 hidden");
@@ -84,7 +84,7 @@ TEST_CASE("what moves between the samples fails the report, with its size and th
 }
 
 TEST_CASE("a sound motion meets both demands") {
-  const document::Report r = report("x = \"20 mm * sin(2*pi*t/2 s)\"\n", {"dynamics"});
+  const document::Report r = report_of("x = \"20 mm * sin(2*pi*t/2 s)\"\n", {"dynamics"});
   REQUIRE((smoothness(r) && visibility(r)));
   CHECK(smoothness(r)->passed);
   CHECK(visibility(r)->passed);

@@ -1,11 +1,11 @@
 #include <catch2/catch.hpp>
+#include <core/numbers.hpp>
 #include <core/text/units.hpp>
 #include <limits>
 
 using namespace pmreport;
 
 namespace {
-constexpr double pi = 3.14159265358979323846;
 // Factors are products and powers of table values: a few roundings.
 constexpr double rounding = 1e-15;
 }  // namespace

@@ -1,16 +1,14 @@
 #include <core/analysis/proof/claims.hpp>
 
 #include <core/mechanics/model/joint_motion.hpp>
+#include <core/numbers.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <span>
 
 namespace pmreport::analysis {
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // Marks that touch one another make one run.
 std::vector<std::vector<Mark>> runs_of(std::vector<Mark> marks) {
@@ -52,7 +50,7 @@ Claim::Broken stretch(std::span<const Mark> row, std::span<const Mark> beside, b
   Claim::Broken out;
   out.above = row.front().above;
   // The farthest value is at least what is certain at some instant, and at most what bounds all of them.
-  double certain = -infinite, bound = -infinite;  // beyond, counted away from the range
+  double certain = -infinity, bound = -infinity;  // beyond, counted away from the range
   for (const Mark& m : beside) {
     const double at_least = out.above ? m.value_at.low : -m.value_at.high, at_most = out.above ? m.value.high : -m.value.low;
     if (m.broken_within && m.above == out.above && at_least > certain) certain = at_least, out.at = m.at;
@@ -68,7 +66,7 @@ Claim::Broken stretch(std::span<const Mark> row, std::span<const Mark> beside, b
 
 std::vector<OpenClaim> claims_of(const mechanics::Machine& machine, const mechanics::MotionProgram& program, const Quantities& quantities) {
   const Topology& t = machine.topology();
-  std::vector<OpenClaim> out{{{Claim::About::assembled, 0, 0, {0, infinite}, Claim::State::holds, "", {}, {}}, 0}};
+  std::vector<OpenClaim> out{{{Claim::About::assembled, 0, 0, {0, infinity}, Claim::State::holds, "", {}, {}}, 0}};
   for (std::size_t i = 0; i < t.actuators.size(); ++i)
     out.push_back(
         {{Claim::About::stroke, static_cast<int>(i), 0, t.actuators[i].stroke, Claim::State::holds, "", {}, {}}, quantities.actuators[i]});
@@ -77,8 +75,8 @@ std::vector<OpenClaim> claims_of(const mechanics::Machine& machine, const mechan
     const Joint& j = t.joints[static_cast<std::size_t>(joint)];
     Range range = j.limits[static_cast<std::size_t>(limit)];
     const bool below = mechanics::binds(j, range, false), above = mechanics::binds(j, range, true);  // of the range as it is declared
-    if (!below) range.min = -infinite;
-    if (!above) range.max = infinite;
+    if (!below) range.min = -infinity;
+    if (!above) range.max = infinity;
     out.push_back({{Claim::About::joint_limit, joint, limit, range, Claim::State::holds, "", {}, {}}, quantities.joints[k]});
   }
   for (const std::string& name : program.left_out) {

@@ -1,4 +1,5 @@
 #include <core/analysis/proof/extremes.hpp>
+#include <core/numbers.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,6 @@ namespace pmreport::analysis {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-13;      // of a quantity
 constexpr double sharpened = 1e-3;      // of its usual tolerance: where a bracket has what it should tell from an extreme
 constexpr double beside_others = 0.01;  // of what its like moves: what hardly moves beside it needs no brackets of its own size
@@ -19,7 +19,7 @@ constexpr double beside_itself = 0.01;  // of a rate: one that hardly changes ne
 ExtremeSearch::ExtremeSearch(const mechanics::Machine& machine, const Quantities& quantities, const ProofOptions& options)
     : quantities_(quantities), options_(options), brackets_(quantities.all.size()) {
   for (std::size_t q = 1; q < brackets_.size(); ++q) {
-    brackets_[q].least = {-infinite, infinite}, brackets_[q].largest = {-infinite, infinite};
+    brackets_[q].least = {-infinity, infinity}, brackets_[q].largest = {-infinity, infinity};
     for (const auto& [column, x] : options.decide)
       if (column == quantities.column(machine, quantities.all[q])) brackets_[q].decide.push_back(x);
   }
@@ -37,7 +37,7 @@ void ExtremeSearch::see(const InstantFacts& instant) {
 }
 
 void ExtremeSearch::begin_bounds() {
-  for (Bracket& b : brackets_) b.least.low = infinite, b.largest.high = -infinite;
+  for (Bracket& b : brackets_) b.least.low = infinity, b.largest.high = -infinity;
 }
 
 // Where the mechanism cannot be assembled there are no values.
@@ -62,7 +62,7 @@ void ExtremeSearch::end_bounds() {
   for (std::size_t q = 1; q < brackets_.size(); ++q) {
     Bracket& b = brackets_[q];
     const double size = std::max(std::abs(b.largest.low), std::abs(b.least.high));
-    const double largest = size < infinite ? size : 0;
+    const double largest = size < infinity ? size : 0;
     const double moves =
         std::max({b.range(), beside_others * widest[like(q)], quantities_.all[q].order == OfMotion::value ? 0 : beside_itself * largest});
     b.tolerance = std::max(share(quantities_.all[q]) * moves, rounding * largest);

@@ -4,6 +4,7 @@
 #include <core/analysis/proof/prover.hpp>
 #include <core/analysis/proof/recording_check.hpp>
 #include <core/mechanics/recorded/motion_program.hpp>
+#include <core/numbers.hpp>
 #include <core/program/derivative.hpp>
 
 #include <algorithm>
@@ -17,8 +18,6 @@ const Extreme* MotionProof::extreme(const ColumnId& column) const {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 // Of what comes after nothing is known: claims that hold before are undecided there, and no bracket holds for all of the motion.
 void leave_open(MotionProof& proof, Bounds time, const std::string& reason) {
   for (Claim& c : proof.claims) {
@@ -27,12 +26,12 @@ void leave_open(MotionProof& proof, Bounds time, const std::string& reason) {
     if (!c.broken.empty() && c.broken.back().end.high >= time.low) {  // how long it lasts, and how far it goes, is not known
       Claim::Broken& last = c.broken.back();
       last.end.high = time.high;
-      (last.above ? last.worst.high : last.worst.low) = last.above ? infinite : -infinite;
+      (last.above ? last.worst.high : last.worst.low) = last.above ? infinity : -infinity;
     }
     if (c.state == Claim::State::holds) c.state = Claim::State::undecided;
     c.reason = reason;
   }
-  for (Extreme& e : proof.extremes) e.least.low = -infinite, e.largest.high = infinite;
+  for (Extreme& e : proof.extremes) e.least.low = -infinity, e.largest.high = infinity;
 }
 
 // What is looked at of a motion: its coordinates over spans of time, from begin to end, and why not farther.

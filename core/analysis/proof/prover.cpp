@@ -1,17 +1,16 @@
 #include <core/analysis/proof/prover.hpp>
 
 #include <core/analysis/proof/extremes.hpp>
+#include <core/numbers.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace pmreport::analysis {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t at_first = 32;     // equal spans, to begin with
 constexpr std::size_t most_knots = 512;  // of which each is an end of a span from the beginning
 constexpr double least_share = 1e-8;     // of the motion: no span is halved that is shorter
@@ -27,7 +26,7 @@ Prover::Prover(const mechanics::Machine& machine, const mechanics::MotionProgram
       whole_(whole),
       knots_(knots),
       options_(options),
-      finest_(std::min(options.finest, std::max(least_share * whole.width(), 4 * std::nextafter(whole.high, infinite) - 4 * whole.high))),
+      finest_(std::min(options.finest, std::max(least_share * whole.width(), 4 * std::nextafter(whole.high, infinity) - 4 * whole.high))),
       claims_(claims_of(machine, program, quantities_)),
       marks_(claims_.size()),
       doubtful_(claims_.size()) {}

@@ -5,10 +5,10 @@
 #include <core/analysis/samples/stretch.hpp>
 #include <core/analysis/study/instant.hpp>
 #include <core/mechanics/dynamics/drive.hpp>
+#include <core/numbers.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -18,8 +18,6 @@ using mechanics::DriveTrain;
 using mechanics::EfficiencyConvention;
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Where motor power is held against differences: a sample, or, where one lies on a knot of the motion or close to it, the middle of the
 // stretch that begins there.

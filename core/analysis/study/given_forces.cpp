@@ -1,14 +1,12 @@
 #include <core/analysis/study/given_forces.hpp>
+#include <core/numbers.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pmreport::analysis {
 
-namespace {
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-}
+namespace {}
 
 double given_against_found(const Analysis& a) {
   const std::vector<Actuator>& actuators = a.machine().topology().actuators;

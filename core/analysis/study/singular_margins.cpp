@@ -1,17 +1,15 @@
 #include <core/analysis/study/singular_margins.hpp>
 
 #include <core/mechanics/singularity/singularity.hpp>
+#include <core/numbers.hpp>
 
 #include <tbb/parallel_for.h>
 
 #include <cmath>
-#include <limits>
 
 namespace pmreport::analysis {
 
-namespace {
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-}
+namespace {}
 
 AlongMotion along_motion(const Analysis& a, double length) {
   const auto n = static_cast<std::size_t>(a.samples());

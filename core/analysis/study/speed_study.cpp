@@ -3,6 +3,7 @@
 #include <core/mechanics/dynamics/virtual_work.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/reactions/inverse_dynamics.hpp>
+#include <core/numbers.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +17,6 @@ using Kind = mechanics::SpeedLimit::Kind;
 using mechanics::SpeedLimit;
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // The sum of some columns of each actuator.
 template <class What>

@@ -5,20 +5,18 @@
 #include <core/mechanics/assembly/search.hpp>
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/numbers.hpp>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <ranges>
 #include <tuple>
 
 namespace pmreport::mechanics {
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // Every combination of the words of the working-mode choices, the machine's own first.
 std::vector<WorkingMode> working_modes(const Machine& machine, bool all) {

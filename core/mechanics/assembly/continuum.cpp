@@ -1,9 +1,9 @@
 #include <core/mechanics/assembly/continuum.hpp>
+#include <core/numbers.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <ranges>
 
 namespace pmreport::mechanics {
@@ -12,10 +12,9 @@ using Eigen::MatrixXd;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double joined = 1e-6;                 // bodies in one place; the root of it where roots are double, found to half the digits only
 constexpr double shortest = 1e-4, edge = 2e-3;  // steps along a curve
-constexpr int most_steps = 2000;
+constexpr int most_continuum_steps = 2000;
 constexpr std::size_t most_poses = 200, tried = 3;  // of a family of more dimensions; neighbours that a pose is walked to from
 
 }  // namespace
@@ -66,7 +65,7 @@ std::optional<std::size_t> ContinuumSearch::holding(const Site& mode) {
 bool ContinuumSearch::follow(const Spot& start, SmallVector direction, double bound, std::vector<Spot>& passed, bool& whole) const {
   Spot now = start;
   double h = 0.5 * HeldActuators::longest, farthest = 0;
-  for (int k = 0; k < most_steps;) {
+  for (int k = 0; k < most_continuum_steps;) {
     const std::vector<double> before = now.bodies;
     const HeldActuators::Step how = held_.advance(now, direction, h, bound);
     if (how != HeldActuators::Step::done) {

@@ -2,6 +2,7 @@
 
 #include <core/linear/least_norm.hpp>
 #include <core/linear/square.hpp>
+#include <core/mechanics/assembly/tolerances.hpp>
 
 #include <algorithm>
 #include <array>
@@ -11,8 +12,8 @@
 namespace pmreport::mechanics {
 
 Walk<Arrival> newton(Halt& halt, std::size_t word, SmallVector u, double reach, int max_steps) {
-  constexpr double converged = 1e-14, good = 1e-11;   // a few roundings; what rounding may leave where the pose is sensitive
-  constexpr double blown_up = 1e7, truncated = 1e-9;  // a step by the error; of the largest pivot: rounding, in a slope without full rank
+  constexpr double converged = 1e-14, good = 1e-11;  // a few roundings; what rounding may leave where the pose is sensitive
+  constexpr double blown_up = 1e7;                   // a step by the error: rounding, in a slope without full rank
   Arrival out;
   double best = std::numeric_limits<double>::infinity();
   SmallVector step = SmallVector::Zero(u.size());
@@ -30,7 +31,7 @@ Walk<Arrival> newton(Halt& halt, std::size_t word, SmallVector u, double reach, 
     if (miss <= converged || (best <= good && miss >= best)) break;
     best = miss;
     step = linear::SmallFactors(here.slope).solve(here.error);
-    if (!(step.lpNorm<Eigen::Infinity>() < blown_up * miss)) step = linear::least_norm_solution(here.slope, here.error, truncated);
+    if (!(step.lpNorm<Eigen::Infinity>() < blown_up * miss)) step = linear::least_norm_solution(here.slope, here.error, truncated_pivot);
     const double longest = step.lpNorm<Eigen::Infinity>();
     if (!(longest < 1e12)) break;
     if (longest > reach) step *= reach / longest;
@@ -43,7 +44,7 @@ Walk<Arrival> newton(Halt& halt, std::size_t word, SmallVector u, double reach, 
 namespace {
 
 constexpr double longest_step = 0.3, shortest_step = 1e-4, edge_step = 0.005;
-constexpr int most_steps = 3000;
+constexpr int most_curve_steps = 3000;
 constexpr double far = 30;
 
 // Rows of the held actuators, each of unit length so that a row that grows without bound at the edge of reach does no harm, and below them
@@ -134,7 +135,7 @@ Walk<SolutionCurveEnd> trace(Halt& halt, SolutionCurve curve, const AssemblyTarg
   double h = 0.02;
   bool at_edge = false;
   bool homing = false;  // the start is close ahead
-  while (end.steps < most_steps) {
+  while (end.steps < most_curve_steps) {
     const SmallVector foreseen = (now.tangent + h * bend).normalized();
     u = now.u + h * (now.tangent + 0.5 * h * bend);
     std::optional<Knot> next;

@@ -1,6 +1,7 @@
 #include <core/mechanics/assembly/follow.hpp>
 
 #include <core/mechanics/assembly/follower.hpp>
+#include <core/numbers.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@ namespace pmreport::mechanics {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double same_actuators = 1e-9;  // of the characteristic length, or rad: values of one pose
 
 class Tracks {

@@ -2,6 +2,7 @@
 
 #include <core/linear/singular_values.hpp>
 #include <core/linear/square.hpp>
+#include <core/mechanics/assembly/tolerances.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +11,11 @@ namespace pmreport::mechanics {
 
 namespace {
 
-constexpr double shortest = 1.0 / (1 << 20);  // of the time between two samples: how exactly the time of a mode's end is known
-constexpr double near = 0.15;                 // of the characteristic length: the farthest that a mode goes in one step
-constexpr double next_word = 0.02;            // likewise, from one word of the working mode into the next
-constexpr double meeting = 0.02;              // likewise, between modes that are about to meet
-constexpr double probe = 1e-3;                // half way between the slopes whose change is taken
-constexpr double roughly = 0.01;              // likewise, and of axes
+constexpr double instant = 1.0 / (1 << 20);  // of the time between two samples: how exactly the time of a mode's end is known
+constexpr double near = 0.15;                // of the characteristic length: the farthest that a mode goes in one step
+constexpr double next_word = 0.02;           // likewise, from one word of the working mode into the next
+constexpr double meeting = 0.02;             // likewise, between modes that are about to meet
+constexpr double roughly = 0.01;             // likewise, and of axes
 
 }  // namespace
 
@@ -69,7 +69,7 @@ bool ModeFollower::neighbours(std::size_t a, std::size_t b) const {
 
 // From the mode at time t to that at time `to`. False where it ends before; t is then when.
 bool ModeFollower::step(ModePlace& place, double& t, double to) {
-  const double least = std::abs(to - t) * shortest, edge = std::abs(to - t) / 256;
+  const double least = std::abs(to - t) * instant, edge = std::abs(to - t) / 256;
   double h = to - t;
   while (t != to) {
     const double next = std::abs(to - t) <= std::abs(h) ? to : t + h;
@@ -122,8 +122,8 @@ std::optional<ModePlace> ModeFollower::beyond_the_fold(const ModePlace& place, d
   const linear::LeftSingular left = linear::left_singular(s), right = linear::left_singular(s.transpose());
   const Eigen::Index last = left.values.size() - 1;
   const SmallVector w = left.vectors.col(last), v = right.vectors.col(last);
-  const SmallMatrix change = slope(place.word, u + probe * v) - slope(place.word, u - probe * v);
-  const double c = w.dot(change * v) / (2 * probe), to_the_other = -2 * w.dot(s * v) / c;
+  const SmallMatrix change = slope(place.word, u + slope_probe * v) - slope(place.word, u - slope_probe * v);
+  const double c = w.dot(change * v) / (2 * slope_probe), to_the_other = -2 * w.dot(s * v) / c;
   if (!(std::abs(to_the_other) < near)) return {};
   for (const double share : {1.0, 1.5, 0.75}) {
     ModePlace guess = place;
@@ -137,7 +137,7 @@ std::optional<ModePlace> ModeFollower::beyond_the_fold(const ModePlace& place, d
 
 // Whether the way on at the mode's velocity goes out of reach.
 bool ModeFollower::leaves_reach(const ModePlace& place, double t, double to) {
-  const double h = 4 * shortest * (to - t);
+  const double h = 4 * instant * (to - t);
   const Pose now = motion_(t), next = motion_(t + h);
   if (now.status != PM_OK || next.status != PM_OK) return false;
   const SmallMatrix s = slope(place.word, place.q.cwiseQuotient(scale_));

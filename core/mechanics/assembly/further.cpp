@@ -3,6 +3,7 @@
 #include <core/linear/least_norm.hpp>
 #include <core/linear/subspace.hpp>
 #include <core/mechanics/assembly/loops.hpp>
+#include <core/mechanics/assembly/tolerances.hpp>
 #include <core/mechanics/model/closure.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 
@@ -24,11 +25,11 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr int most_steps = 40;
-constexpr double longest = 0.3, truncated = 1e-9;
-constexpr double converged = 1e-13, verified = 1e-10;  // errors of the loop equations
-constexpr double misaligned = 1e-6;                    // [rad]: an axis turned over is far beyond
-constexpr double fitted = 1e-7;                        // of the platform's numbers, when coordinates are fitted to it
+constexpr int newton_steps = 40;
+constexpr double longest = 0.3;
+constexpr double converged = 1e-13;  // error of the loop equations
+constexpr double misaligned = 1e-6;  // [rad]: an axis turned over is far beyond
+constexpr double fitted = 1e-7;      // of the platform's numbers, when coordinates are fitted to it
 constexpr std::size_t guesses = 3;
 constexpr double same = 1e-5;  // of the characteristic length: two places of the platform that are one
 
@@ -127,23 +128,23 @@ Search::Bodies Search::start() {
 // many steps, while the limbs go to where they are least apart from it: then it does not follow limbs that point elsewhere.
 std::optional<double> Search::close(Bodies& bodies, int held) const {
   double best = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < held + most_steps; ++k) {
+  for (int k = 0; k < held + newton_steps; ++k) {
     LoopEquations::Value v = equations_.at(bodies, actuators_);
     const double miss = v.error.lpNorm<Eigen::Infinity>();
     if (!std::isfinite(miss)) return {};
-    if (miss <= converged || (best <= verified && miss >= best)) {
+    if (miss <= converged || (best <= mode_error && miss >= best)) {
       best = miss;
       break;
     }
     best = miss;
     if (k < held) v.slope.middleCols(6 * static_cast<Eigen::Index>(platform_) - 6, 6).setZero();
-    VectorXd step = linear::least_norm_solution(v.slope, -v.error, truncated);
+    VectorXd step = linear::least_norm_solution(v.slope, -v.error, truncated_pivot);
     if (const double most = step.lpNorm<Eigen::Infinity>(); most > longest) step *= longest / most;
     equations_.displace(bodies, step);
   }
-  if (!(best <= verified)) return {};
+  if (!(best <= mode_error)) return {};
   const ClosureError e = closure_.error(bodies);
-  if (!(e.gap <= 100 * verified * size_ && e.misalignment <= misaligned)) return {};
+  if (!(e.gap <= 100 * mode_error * size_ && e.misalignment <= misaligned)) return {};
   return best;
 }
 
@@ -177,7 +178,7 @@ std::optional<VectorXd> Search::fit(const Machine& m, const BodyState& platform,
       }
       return q;
     }
-    VectorXd step = linear::least_norm_solution(slope, error, truncated);
+    VectorXd step = linear::least_norm_solution(slope, error, truncated_pivot);
     if (const double longest_of = step.lpNorm<Eigen::Infinity>(); longest_of > most) step *= most / longest_of;
     q += step.cwiseProduct(scale);
   }

@@ -2,6 +2,7 @@
 
 #include <core/linear/least_norm.hpp>
 #include <core/linear/singular_values.hpp>
+#include <core/mechanics/assembly/tolerances.hpp>
 
 #include <algorithm>
 #include <array>
@@ -15,12 +16,9 @@ using Eigen::MatrixXd;
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double stops = 1e-14;     // error at which Newton's method has converged
-constexpr double verified = 1e-10;  // largest error of a mode
-constexpr double probe = 1e-3;      // half way between the slopes whose change is taken
+constexpr double stops = 1e-14;  // error at which Newton's method has converged
 constexpr int strides = 5;
-constexpr double truncated = 1e-9;  // of the largest pivot: a direction that the actuators do not feel
-constexpr double unmoved = 1e-6;    // bodies that go slower than this by the coordinates stand still
+constexpr double unmoved = 1e-6;  // bodies that go slower than this by the coordinates stand still
 
 }  // namespace
 
@@ -90,10 +88,10 @@ double HeldActuators::rounding(const Spot& s) const {
     if (near.reached) spread = std::max(spread, (near.slope - s.slope).norm());
   }
   const SmallVector v = of.vectors.col(of.vectors.cols() - 1);
-  const Spot before = spot(s.word, s.u - probe * v), after = spot(s.word, s.u + probe * v);
-  const double change = before.reached && after.reached ? ((after.slope - before.slope) * v).norm() / (2 * probe)
-                        : after.reached                 ? ((after.slope - s.slope) * v).norm() / probe
-                        : before.reached                ? ((s.slope - before.slope) * v).norm() / probe
+  const Spot before = spot(s.word, s.u - slope_probe * v), after = spot(s.word, s.u + slope_probe * v);
+  const double change = before.reached && after.reached ? ((after.slope - before.slope) * v).norm() / (2 * slope_probe)
+                        : after.reached                 ? ((after.slope - s.slope) * v).norm() / slope_probe
+                        : before.reached                ? ((s.slope - before.slope) * v).norm() / slope_probe
                                                         : of.values(0);
   return std::max(16 * spread, std::sqrt(8 * change * std::max(s.error.norm(), stops)));
 }
@@ -135,18 +133,18 @@ HeldActuators::Step HeldActuators::settle(Spot& s, double reach) const {
     const double miss = s.error.lpNorm<Eigen::Infinity>();
     if (miss < least) {
       best = s;
-    } else if (least <= verified) {
+    } else if (least <= mode_error) {
       break;
     }
     least = std::min(least, miss);
     if (least <= stops) break;
-    const SmallVector step = linear::least_norm_solution(s.slope, s.error, truncated);
+    const SmallVector step = linear::least_norm_solution(s.slope, s.error, truncated_pivot);
     if (!((s.u + step - from).norm() <= reach)) return Step::lost;
     s = spot(s.word, s.u + step);
     if (!s.reached) return Step::edge;
   }
   s = best;
-  return least <= verified ? Step::done : Step::lost;
+  return least <= mode_error ? Step::done : Step::lost;
 }
 
 HeldActuators::Step HeldActuators::advance(Spot& s, SmallVector& direction, double h, double bound) const {
@@ -185,7 +183,7 @@ bool HeldActuators::walk_to(Spot s, const std::vector<double>& bodies, double bo
     const std::size_t dof = static_cast<std::size_t>(s.u.size());
     for (std::size_t i = 0; i < bodies.size(); ++i)
       for (std::size_t j = 0; j < dof; ++j) pull.data()[j] += s.motion.data()[i * dof + j] * (bodies.data()[i] - s.bodies.data()[i]);
-    SmallVector step = t * linear::least_norm_solution(MatrixXd(t.transpose() * s.gram * t), t.transpose() * pull, truncated);
+    SmallVector step = t * linear::least_norm_solution(MatrixXd(t.transpose() * s.gram * t), t.transpose() * pull, truncated_pivot);
     if (step.norm() > longest) step *= longest / step.norm();
     bool nearer = false;
     for (int halved = 0; halved < 4 && !nearer; ++halved, step *= 0.5) {

@@ -1,20 +1,19 @@
 #include <core/mechanics/assembly/search.hpp>
 
 #include <core/linear/square.hpp>
+#include <core/mechanics/assembly/tolerances.hpp>
+#include <core/numbers.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <ranges>
 
 namespace pmreport::mechanics {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr std::size_t walkers = 16;  // as many as are placed together
-constexpr double verified = 1e-10;   // largest residual of a mode, by substitution
 constexpr int often = 4;             // starts that reach a mode, so that the rarest of all is likely to have been seen
 
 }  // namespace
@@ -93,7 +92,7 @@ AssemblySearch::Entry AssemblySearch::enter(const Site& site, int start) {
   if (pose.status != PM_OK) return {};
   const double residual =
       target_.error(Eigen::Map<const Eigen::VectorXd>(pose.numbers.data() + m.layout().actuator(0), m.dof())).lpNorm<Eigen::Infinity>();
-  if (!(residual <= verified)) return {};
+  if (!(residual <= mode_error)) return {};
   std::size_t mode = known_mode(m, pose, same_placement);
   if (mode != no_mode) return {mode, true, false};
   if (const std::optional<std::size_t> known = continua_.holding(site)) {

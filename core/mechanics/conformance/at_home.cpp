@@ -142,4 +142,6 @@ std::string length_words(double metres) {
   return format_number(far ? metres : metres * 1e3, 3) + (far ? " m" : " mm");
 }
 
+std::string angle_words(double radians) { return format_number(radians / deg, 4) + " deg"; }
+
 }  // namespace pmreport::mechanics

@@ -5,12 +5,12 @@
 #include <core/mechanics/machine/joint_words.hpp>
 #include <core/mechanics/model/constraint_scale.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/numbers.hpp>
 #include <core/text/text.hpp>
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <numbers>
 
 namespace pmreport::mechanics {
 
@@ -19,8 +19,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-constexpr double degree = std::numbers::pi / 180;
 
 const Joint& joint_of(const Machine& m, int joint) { return m.topology().joints[static_cast<std::size_t>(joint)]; }
 const std::string& name_of(const Machine& m, int body) { return m.topology().bodies[static_cast<std::size_t>(body)].name; }
@@ -68,7 +66,7 @@ std::string about_gap(const Machine& machine, const State& state, int joint, dou
 std::string about_misalignment(const Machine& machine, int joint, double angle) {
   const Joint& j = joint_of(machine, joint);
   const std::string &a = name_of(machine, j.a), &b = name_of(machine, j.b);
-  const double degrees = angle / degree;
+  const double degrees = angle / deg;
   switch (j.kind) {
     case JointKind::universal:
       return fmt::format(

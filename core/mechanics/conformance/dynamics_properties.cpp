@@ -16,7 +16,7 @@ namespace {
 // The larger of two, where a NaN is infinite.
 double worse(double worst, double x) { return std::isnan(x) ? std::numeric_limits<double>::infinity() : std::max(worst, x); }
 
-double size_of(const Machine& machine, std::size_t coordinate, double length) {
+double coordinate_size(const Machine& machine, std::size_t coordinate, double length) {
   return mechanics::size_of(machine.topology().coordinates[coordinate].sense(), length);
 }
 
@@ -25,7 +25,7 @@ double size_of(const Machine& machine, std::size_t coordinate, double length) {
 double mass_matrix_deviation(const Machine& machine, const State& state, const Tangent& tangent, double length) {
   SmallMatrix mass = equations_of_motion(machine, state, tangent, Eigen::Vector3d::Zero()).mass;
   for (int i = 0; i < machine.dof(); ++i) {
-    const double size = size_of(machine, static_cast<std::size_t>(i), length);
+    const double size = coordinate_size(machine, static_cast<std::size_t>(i), length);
     mass.row(i) *= size, mass.col(i) *= size;
   }
   const double largest = mass.cwiseAbs().maxCoeff();
@@ -45,7 +45,7 @@ std::optional<double> energy_deviation(const Machine& machine, const State& stat
     const auto k = static_cast<Eigen::Index>(i);
     const Scalar& c = state.coordinates[i];
     q(k) = c.value, rate(k) = c.rate, acceleration(k) = c.acceleration;
-    const double size = size_of(machine, i, length);
+    const double size = coordinate_size(machine, i, length);
     speed = std::max({speed, std::abs(c.rate) / size, std::sqrt(std::abs(c.acceleration) / size)});
   }
   if (speed == 0) return 0;

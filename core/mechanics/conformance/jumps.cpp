@@ -17,9 +17,9 @@ using Eigen::VectorXd;
 
 constexpr int steps = 16, halvings = 45;  // of a step, until rounding
 
-class Walk {
+class StraightWalk {
  public:
-  Walk(const Machine& machine, const VectorXd& from, const VectorXd& to)
+  StraightWalk(const Machine& machine, const VectorXd& from, const VectorXd& to)
       : machine_(machine), from_(from), way_(to - from), still_(VectorXd::Zero(from.size())) {}
 
   VectorXd at(double s) const { return from_ + s * way_; }
@@ -47,7 +47,7 @@ std::optional<Jump> jump_between(const Machine& machine, const VectorXd& from, c
   for (const Actuator& a : t.actuators) kinds.push_back({a.name, a.unit, 0, {}});
   for (const Derived& d : t.derived) kinds.push_back({d.name, d.unit, 0, {}});
 
-  Walk walk(machine, from, to);
+  StraightWalk walk(machine, from, to);
   std::vector<Scalar> before = walk.quantities(0);
   for (int k = 1; k <= steps && !before.empty(); ++k) {
     const double s0 = static_cast<double>(k - 1) / steps, s1 = static_cast<double>(k) / steps;

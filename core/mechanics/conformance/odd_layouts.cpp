@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace pmreport::mechanics {
@@ -23,7 +22,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
 // Of the size of what is compared: coordinates are rounded to three digits; what is off by less than a hundredth may be meant.
 constexpr double equal = 2e-3, off = 1e-2;
 
@@ -35,14 +33,14 @@ struct Polar {
 
 Polar polar(const Vector3d& p, Eigen::Index axis) {
   const double x = p((axis + 1) % 3), y = p((axis + 2) % 3), angle = std::atan2(y, x);
-  return {std::hypot(x, y), p(axis), angle < 0 ? angle + turn : angle};
+  return {std::hypot(x, y), p(axis), angle < 0 ? angle + whole_turn : angle};
 }
 
 // From each azimuth to the next, the last to the first; sorted azimuths.
 std::vector<double> gaps(const std::vector<double>& azimuths) {
   std::vector<double> out;
   for (std::size_t i = 0; i < azimuths.size(); ++i)
-    out.push_back(i + 1 < azimuths.size() ? azimuths[i + 1] - azimuths[i] : azimuths.front() + turn - azimuths.back());
+    out.push_back(i + 1 < azimuths.size() ? azimuths[i + 1] - azimuths[i] : azimuths.front() + whole_turn - azimuths.back());
   return out;
 }
 
@@ -91,7 +89,7 @@ std::vector<Polar> completions(const std::vector<Polar>& points, double size) {
       }
       const double first = of_class[hole % p], second = of_class[(hole + 1) % p];
       if (repeats && first >= 0 && second >= 0 && same(first + second, g[hole], 1))
-        out.push_back({points.front().radius, points.front().height, std::fmod(azimuths[hole] + first, turn)});
+        out.push_back({points.front().radius, points.front().height, std::fmod(azimuths[hole] + first, whole_turn)});
     }
   }
   return out;
@@ -126,16 +124,14 @@ std::optional<OpenSteps> open_steps(const std::vector<Polar>& points, double siz
         period += known;
       }
       // Near the step that would close: farther off, as of a T, or where corners of a polygon are left out, it is meant.
-      const double repeated = static_cast<double>(n) / static_cast<double>(p), closed = turn / repeated;
-      const double wrong = std::abs(period / closed - 1), missing = turn / period - repeated;
+      const double repeated = static_cast<double>(n) / static_cast<double>(p), closed = whole_turn / repeated;
+      const double wrong = std::abs(period / closed - 1), missing = whole_turn / period - repeated;
       const bool polygon = missing > 0.5 && std::abs(missing - std::round(missing)) < off;
       if (repeats && !polygon && wrong > off && wrong < 0.2) return OpenSteps{period, closed, g[odd]};
     }
   }
   return {};
 }
-
-std::string degrees(double radians) { return format_number(radians * 360 / turn, 4) + " deg"; }
 
 // Whether a joint of some other limb stands there: then the pattern is whole, and the joint in question stands apart from it.
 bool taken(const AtHome& home, int body, const Polar& place, Eigen::Index axis, double size) {
@@ -163,9 +159,9 @@ void look_at_places(const AtHome& home, const std::vector<int>& joints, int body
       found = {"steps",
                std::abs(steps->period / steps->closed - 1),
                {names,
-                fmt::format("on {} they repeat every {} about {}, which leaves a gap of {}", home.body(body).name, degrees(steps->period),
-                            about, degrees(steps->gap)),
-                fmt::format("limbs alike stand all around, every {}", degrees(steps->closed)), "look at the step of their azimuths"}};
+                fmt::format("on {} they repeat every {} about {}, which leaves a gap of {}", home.body(body).name,
+                            angle_words(steps->period), about, angle_words(steps->gap)),
+                fmt::format("limbs alike stand all around, every {}", angle_words(steps->closed)), "look at the step of their azimuths"}};
     for (std::size_t i = 0; i < n; ++i) {
       std::vector<Polar> others = points;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
@@ -183,8 +179,8 @@ void look_at_places(const AtHome& home, const std::vector<int>& joints, int body
                 fmt::format("on {} it stands {} away from where it would complete the regular pattern of {}: at radius {}, azimuth {}, "
                             "height {} about {}, for {}, {}, {}",
                             home.body(body).name, length_words(away), listed(rest), length_words(points[i].radius),
-                            degrees(points[i].azimuth), length_words(points[i].height), about, length_words(nearest.radius),
-                            degrees(nearest.azimuth), length_words(nearest.height)),
+                            angle_words(points[i].azimuth), length_words(points[i].height), about, length_words(nearest.radius),
+                            angle_words(nearest.azimuth), length_words(nearest.height)),
                 "limbs alike stand in one pattern",
                 "look at the coordinates of this one"}};
     }
@@ -200,7 +196,7 @@ struct Data {
 };
 
 std::string words(double x, const std::string& unit) {
-  return unit == "m" ? length_words(x) : unit == "rad" ? degrees(x) : format_number(x, 4) + " " + unit;
+  return unit == "m" ? length_words(x) : unit == "rad" ? angle_words(x) : format_number(x, 4) + " " + unit;
 }
 
 // The one that differs where all others are equal.

@@ -8,15 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace pmreport::mechanics {
 
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
-
-std::string angle_words(double radians) { return format_number(radians * 360 / turn, 4) + " deg"; }
 std::string size_words(double x, const std::string& unit) { return unit == "rad" ? angle_words(x) : length_words(x); }
 
 // Base, platform and limbs of a machine are of one size, within a hundred times.
@@ -98,14 +94,14 @@ void look_at_angles(const AtHome& home, std::vector<Oddity>& out) {
                     "angles are in radians: degrees may have been meant"}});
   };
   for (const Coordinate& c : t.coordinates)
-    if (const double most = std::max(std::abs(c.box.min), std::abs(c.box.max)); c.unit == "rad" && most > turn)
-      degrees(c.name, most, turn, "the end of its range", "a platform turns by less than a whole turn");
+    if (const double most = std::max(std::abs(c.box.min), std::abs(c.box.max)); c.unit == "rad" && most > whole_turn)
+      degrees(c.name, most, whole_turn, "the end of its range", "a platform turns by less than a whole turn");
   for (int j = 0; j < static_cast<int>(t.joints.size()); ++j) {
     const Joint& joint = home.joint(j);
     if (joint.kind == JointKind::prismatic) continue;
     const bool ball = joint.kind == JointKind::spherical;
     // A rounded pi may be a little more than pi.
-    const double most = 1.01 * (ball ? turn / 2 : 2 * turn);
+    const double most = 1.01 * (ball ? whole_turn / 2 : 2 * whole_turn);
     double farthest = 0;
     for (const Range& r : joint.limits) farthest = std::max({farthest, std::abs(r.min), std::abs(r.max)});
     if (farthest > most)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <core/mechanics/conformance/plausibility.hpp>
+#include <core/numbers.hpp>
 
 #include <Eigen/Geometry>
 
@@ -53,6 +54,8 @@ class AtHome {
   double span_ = 0;
 };
 
+inline constexpr double whole_turn = 2 * pi;
+
 // A remark of one `kind`: several of a kind become one, with the numbers of the worst. Without a kind it stays alone.
 struct Oddity {
   std::string kind;
@@ -66,5 +69,6 @@ std::vector<Oddity> odd_lengths(const AtHome& home);  // one length against the 
 std::vector<Oddity> odd_layouts(const AtHome& home);  // one member that breaks a regular pattern
 
 std::string length_words(double metres);  // "760 mm", "12 m"
+std::string angle_words(double radians);  // "30 deg"
 
 }  // namespace pmreport::mechanics

@@ -45,9 +45,9 @@ std::string number_in_words(const Machine& machine, std::size_t number) {
   return told("");
 }
 
-class Comparison {
+class RecordedComparison {
  public:
-  Comparison(const Machine& machine, const program::Program& geometry)
+  RecordedComparison(const Machine& machine, const program::Program& geometry)
       : machine_(machine), geometry_(geometry), dof_(static_cast<std::size_t>(machine.dof())), n_(machine.layout().size()) {}
 
   void values(const std::vector<double>& poses, Property& p) { compare(PM_VALUE, geometry_, poses, poses.size() / dof_, p); }
@@ -126,7 +126,7 @@ void look_at_recording(const Machine& machine, const std::vector<double>& poses,
     for (Property* x : {p.recorded, p.recorded_rates, p.recorded_partials}) x->unexamined = why;
     return;
   }
-  Comparison comparison(machine, *geometry);
+  RecordedComparison comparison(machine, *geometry);
   comparison.values(poses, *p.recorded);
   comparison.rates(poses, *p.recorded_rates);
   comparison.partials(poses, *p.recorded_partials);

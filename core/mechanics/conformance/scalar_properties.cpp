@@ -18,9 +18,9 @@ void note(ScalarDeviation::Largest& largest, double deviation, Where&& where) {
   largest.where = where();
 }
 
-class Comparison {
+class ScalarComparison {
  public:
-  explicit Comparison(const Machine& machine)
+  explicit ScalarComparison(const Machine& machine)
       : machine_(machine), dof_(static_cast<std::size_t>(machine.dof())), n_(machine.layout().size()) {}
 
   // The first `count` poses at once.
@@ -76,7 +76,7 @@ class Comparison {
 }  // namespace
 
 ScalarDeviation scalar_deviation(const Machine& machine, const std::vector<double>& poses) {
-  Comparison comparison(machine);
+  ScalarComparison comparison(machine);
   for (const std::size_t count : {std::size_t{2}, std::size_t{7}, std::size_t{16}, std::size_t{61}}) {  // no lane width divides them all
     if (count * static_cast<std::size_t>(machine.dof()) > poses.size()) break;
     for (const pm_order order : {PM_VALUE, PM_JET, PM_PARTIALS, PM_EXTENDED}) comparison.run(poses, count, order);

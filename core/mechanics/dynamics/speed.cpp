@@ -1,15 +1,13 @@
 #include <core/mechanics/dynamics/speed.hpp>
+#include <core/numbers.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <tuple>
 
 namespace pmreport::mechanics {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
 
 // Newton's method for a root that it nears from one side, by a curve that bends away from zero there: every step falls short of the root.
 // It has arrived when rounding takes the next step back, or nowhere.

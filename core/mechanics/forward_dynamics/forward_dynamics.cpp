@@ -6,13 +6,13 @@
 #include <core/mechanics/forward_dynamics/motion_track.hpp>
 #include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/numbers.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 namespace pmreport::mechanics {
@@ -113,7 +113,6 @@ TrackPoint Integration::point(const Numbers& x, const Numbers& slope, double t) 
 
 ForwardMotion Integration::run() {
   const auto rows = static_cast<Eigen::Index>(problem_.times.size());
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (Eigen::MatrixXd* m : {&out_.value, &out_.rate, &out_.acceleration}) m->setConstant(rows, dof_, nan);
   out_.work.assign(problem_.times.size(), nan);
   out_.energy = out_.work;

@@ -17,7 +17,7 @@ bool named_well(const std::string& name) {
          std::ranges::all_of(name, [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; });
 }
 
-int other_body(const Joint& j, int body) { return j.a == body ? j.b : j.b == body ? j.a : -1; }
+int body_across(const Joint& j, int body) { return j.a == body ? j.b : j.b == body ? j.a : -1; }
 
 }  // namespace
 
@@ -68,7 +68,7 @@ BeamPath path_of(const Topology& t, int from, int to) {
     for (const int body : {here.a, here.b}) {
       if (body == 0 || body == t.platform || body == steps[at].body) continue;
       for (std::size_t j = 0; j < t.joints.size() && steps.back().joint != to; ++j) {
-        if (seen[j] || other_body(t.joints[j], body) < 0) continue;
+        if (seen[j] || body_across(t.joints[j], body) < 0) continue;
         seen[j] = true;
         steps.push_back({static_cast<int>(j), body, static_cast<int>(at)});
       }
@@ -115,7 +115,7 @@ std::string fault_of(const Element& e, const Topology& t) {
         demand(fault("its body may spin about itself, and has no direction for two different second moments"));
       if (e.beside != -1) {
         const int last = path.bodies.empty() ? -1 : path.bodies.back();
-        if (!is_joint(t, e.beside) || e.beside == e.to || other_body(t.joints[static_cast<std::size_t>(e.beside)], last) < 0)
+        if (!is_joint(t, e.beside) || e.beside == e.to || body_across(t.joints[static_cast<std::size_t>(e.beside)], last) < 0)
           demand(fault(fmt::format("joint {} is none beside joint {} on its last body", e.beside, b.name)));
       }
       demand(above_zero(e.material.modulus, "a modulus", "Pa"));

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double on_the_line = 1e-9;  // of the line's length
 
-int other_body(const Joint& joint, int body) { return joint.a == body ? joint.b : joint.a; }
+int other_end(const Joint& joint, int body) { return joint.a == body ? joint.b : joint.a; }
 
 }  // namespace
 
@@ -36,7 +36,7 @@ std::optional<LimbLine> limb_line(const Machine& machine, int limb, std::string*
     const Joint& joint = t.joints[j];
     if (own(joint.a) == own(joint.b)) continue;
     const int body = own(joint.a) ? joint.a : joint.b;
-    const bool platform = other_body(joint, body) == t.platform;
+    const bool platform = other_end(joint, body) == t.platform;
     if (at_platform && platform) return none("meets the platform in several joints, and is no single line");
     if (at_platform && !platform) continue;
     if (platform || body > far_body) out.to = static_cast<int>(j), far_body = body, at_platform = platform;
@@ -52,14 +52,14 @@ std::optional<LimbLine> limb_line(const Machine& machine, int limb, std::string*
     for (std::size_t j = 0; j < t.joints.size() && next < 0; ++j) {
       const Joint& joint = t.joints[j];
       if (static_cast<int>(j) == arrived || (joint.a != bodies.back() && joint.b != bodies.back())) continue;
-      const int beyond = other_body(joint, bodies.back());
+      const int beyond = other_end(joint, bodies.back());
       // A chain's joint to another limb that is hinged on this one ends nothing.
       if (!own(beyond) && beyond != 0 && at_platform && t.bodies[static_cast<std::size_t>(beyond)].limb != 0) continue;
       next = static_cast<int>(j);
     }
     if (next < 0) return none("ends in one joint, and is no line");
     const Joint& joint = t.joints[static_cast<std::size_t>(next)];
-    const int beyond = other_body(joint, bodies.back());
+    const int beyond = other_end(joint, bodies.back());
     if (joint.kind == JointKind::prismatic && own(beyond)) {
       bodies.push_back(beyond), arrived = next;
       if (bodies.size() > t.bodies.size()) return none("slides in a circle");

@@ -2,10 +2,10 @@
 
 #include <core/linear/subspace.hpp>
 #include <core/mechanics/model/constraint_scale.hpp>
+#include <core/numbers.hpp>
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
 
 namespace pmreport::mechanics {
 
@@ -14,8 +14,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // The pivot that decides whether the actuators hold every body, idle spins aside, over the largest.
 double regularity_of(const GenericModel& model, int idle, double length) {

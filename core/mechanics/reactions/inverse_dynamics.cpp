@@ -4,29 +4,24 @@
 #include <core/mechanics/reactions/by_limb/kernel.hpp>
 #include <core/mechanics/reactions/by_limb/planner.hpp>
 #include <core/mechanics/reactions/dense_dynamics.hpp>
+#include <core/numbers.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <new>
 #include <span>
 
 namespace pmreport::mechanics {
 
-namespace {
-
-constexpr std::size_t alignment = 64;
-
-struct Free {
-  void operator()(double* p) const { ::operator delete[](p, std::align_val_t(alignment)); }
-};
-using Memory = std::unique_ptr<double[], Free>;
-Memory memory_of(std::size_t numbers) {
-  return Memory(static_cast<double*>(::operator new[](numbers * sizeof(double), std::align_val_t(alignment))));
-}
-
-}  // namespace
-
 class InverseDynamics::Work {
+  static constexpr std::size_t alignment = 64;
+  struct Free {
+    void operator()(double* p) const { ::operator delete[](p, std::align_val_t(alignment)); }
+  };
+  using Memory = std::unique_ptr<double[], Free>;
+  static Memory memory_of(std::size_t numbers) {
+    return Memory(static_cast<double*>(::operator new[](numbers * sizeof(double), std::align_val_t(alignment))));
+  }
+
  public:
   explicit Work(const Machine& machine)
       : machine_(machine),
@@ -139,7 +134,6 @@ class InverseDynamics::Work {
     const auto set = [&]<class T>(T* to, std::size_t numbers, T with) {
       for (std::size_t i = 0; i < numbers; ++i) std::fill_n(to + i * batch.count, batch.written, with);
     };
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     set(batch.actuator_forces, dof_, nan);
     set(batch.regularity, 1, nan);
     if (batch.joints == nullptr) return;

@@ -8,6 +8,7 @@
 #include <core/mechanics/model/effort.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/model/random_poses.hpp>
+#include <core/numbers.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +21,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Nothing where the pose cannot be assembled, or the plugin gives no G.
 std::optional<Matrix6d> jacobian_at(const Machine& machine, const VectorXd& coordinates) {

@@ -5,6 +5,7 @@
 #include <core/linear/square.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/model/overall_jacobian.hpp>
+#include <core/numbers.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +17,6 @@ using Eigen::Index;
 using Eigen::Vector3d;
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 double cosine(const Vector3d& force, const Vector3d& velocity) {
   const double sizes = force.norm() * velocity.norm();

@@ -59,12 +59,12 @@ Judge::Judge(const Plan& plan, std::function<void(const Accepted&)> accepted) : 
   set({});
 }
 
-void Judge::set(std::span<const Verdict> verdicts) {
+void Judge::set(std::span<const MarginVerdict> verdicts) {
   verdicts_.assign(verdicts.begin(), verdicts.end());
-  verdicts_.resize(plan_.margins, Verdict::open);
+  verdicts_.resize(plan_.margins, MarginVerdict::open);
   open_ = 0;
   for (std::size_t s = 0; s < std::min<std::size_t>(plan_.stages.size(), 64); ++s) {
-    const auto open = [&](int m) { return verdicts_[static_cast<std::size_t>(m)] == Verdict::open; };
+    const auto open = [&](int m) { return verdicts_[static_cast<std::size_t>(m)] == MarginVerdict::open; };
     if (std::ranges::any_of(plan_.stages[s].margins, open)) open_ |= std::uint64_t{1} << s;
   }
 }
@@ -113,12 +113,12 @@ void Judge::judge(Left& left, std::uint32_t turn, Tally& tally) {
 void Judge::explain(Left& left, Tally& tally) {
   std::size_t computed = plan_.stages.size();  // the stage whose margins are in values_
   for (std::size_t m = 0; m < plan_.margins && left.count > 0; ++m) {
-    if (verdicts_[m] == Verdict::refused) {
+    if (verdicts_[m] == MarginVerdict::refused) {
       tally.any[m] += left.count;
       tally.first[m] += left.left;
       left.left = 0;
       std::fill_n(known_.begin(), left.count, is_refused);
-    } else if (verdicts_[m] == Verdict::open) {
+    } else if (verdicts_[m] == MarginVerdict::open) {
       const auto s = static_cast<std::size_t>(plan_.stage_of[m]);
       const Stage& stage = plan_.stages[s];
       if (s != computed) run_stage(left, s), computed = s;

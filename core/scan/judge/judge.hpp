@@ -18,7 +18,7 @@ namespace pmreport::scan {
 using Numbers = std::vector<double, tbb::cache_aligned_allocator<double>>;
 
 // What is known beforehand of a margin at all poses of a block.
-enum class Verdict : std::uint8_t { open, kept, refused };
+enum class MarginVerdict : std::uint8_t { open, kept, refused };
 
 // Poses that were accepted, in no order that means anything.
 struct Accepted {
@@ -52,7 +52,7 @@ class Judge {
   Judge(const Plan& plan, std::function<void(const Accepted&)> accepted);
 
   // Of the blocks to come. One a margin of the program, and what they say is true; none: all open.
-  void set(std::span<const Verdict> verdicts);
+  void set(std::span<const MarginVerdict> verdicts);
   // `others`: all inputs of the plan's inner program, of which those that points move are not looked at; must stand until `finish`. What
   // is counted, but how many poses there are, is added to the tally.
   void run(const PointBlock& points, const double* others, std::uint32_t turn, Tally& tally);
@@ -96,7 +96,7 @@ class Judge {
   std::vector<program::Batch> hoisted_;      // of each stage, at one orientation
   std::vector<program::Batch> loose_;        // of each stage, and then of the sign
   std::vector<std::vector<int>> inputs_of_;  // of each of these: what it reads
-  std::vector<Verdict> verdicts_;
+  std::vector<MarginVerdict> verdicts_;
   std::uint64_t open_ = 0;              // stages
   Numbers values_;                      // margins of a stage
   Numbers points_, known_;              // of the poses that are left

@@ -58,7 +58,7 @@ Found Walk::run(const Tile& tile, const Orientations& orientations, int node, Po
   judge_.forget();
   found_ = {empty_tally(plan_.set.size(), plan_.reasons), std::vector<std::uint32_t>(tile.size(), 0), {}, 0, 0};
   if (plan_.set.late.every > 0) found_.by_others.resize(tile.size());
-  open_.push_back({tile, node, std::vector<Verdict>(plan_.margins, Verdict::open)});
+  open_.push_back({tile, node, std::vector<MarginVerdict>(plan_.margins, MarginVerdict::open)});
   found_.tally.poses = poses(open_.back());
   std::vector<Block> now;
   while (!open_.empty()) {
@@ -83,14 +83,14 @@ Found Walk::run(const Tile& tile, const Orientations& orientations, int node, Po
 void Walk::decide(std::span<Block> blocks) {
   const auto verdict = [](const Block& b, int m) { return b.verdicts[static_cast<std::size_t>(m)]; };
   const auto refused = [&](const Block& b) {
-    return plan_.reasons ? verdict(b, 0) == Verdict::refused
-                         : std::ranges::any_of(b.verdicts, [](Verdict v) { return v == Verdict::refused; });
+    return plan_.reasons ? verdict(b, 0) == MarginVerdict::refused
+                         : std::ranges::any_of(b.verdicts, [](MarginVerdict v) { return v == MarginVerdict::refused; });
   };
   std::size_t alive = blocks.size();
   for (std::size_t s = 0; s < plan_.stages.size() && alive > 0; ++s) {
     const Stage& stage = plan_.stages[s];
     const auto looked_at = std::partition(blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(alive), [&](const Block& b) {
-      return std::ranges::any_of(stage.margins, [&](int m) { return verdict(b, m) == Verdict::open; });
+      return std::ranges::any_of(stage.margins, [&](int m) { return verdict(b, m) == MarginVerdict::open; });
     });
     const auto n = static_cast<std::size_t>(looked_at - blocks.begin());
     if (n == 0) continue;
@@ -98,10 +98,10 @@ void Walk::decide(std::span<Block> blocks) {
     for (std::size_t i = 0; i < stage.margins.size(); ++i)
       for (std::size_t k = 0; k < n; ++k) {
         const program::Bounds& margin = out_[i * n + k];
-        Verdict& v = blocks[k].verdicts[static_cast<std::size_t>(stage.margins[i])];
+        MarginVerdict& v = blocks[k].verdicts[static_cast<std::size_t>(stage.margins[i])];
         if (!margin.bounded()) continue;
-        if (margin.low > stage.slack[i]) v = Verdict::kept;
-        if (margin.high < -stage.slack[i]) v = Verdict::refused;
+        if (margin.low > stage.slack[i]) v = MarginVerdict::kept;
+        if (margin.high < -stage.slack[i]) v = MarginVerdict::refused;
       }
     alive = static_cast<std::size_t>(
         std::partition(blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(alive), [&](const Block& b) { return !refused(b); }) -
@@ -131,14 +131,14 @@ void Walk::bound(std::span<const Block> blocks, std::size_t stage) {
 // Adds what a block comes to that is decided as one.
 bool Walk::finish(const Block& b) {
   const std::size_t n = poses(b);
-  const auto refused = std::ranges::find(b.verdicts, Verdict::refused);
+  const auto refused = std::ranges::find(b.verdicts, MarginVerdict::refused);
   if (!plan_.reasons && refused != b.verdicts.end()) return true;
-  if (b.verdicts.front() == Verdict::refused) {
+  if (b.verdicts.front() == MarginVerdict::refused) {
     found_.tally.first.front() += n;
     found_.tally.any.front() += n;
     return true;
   }
-  if (plan_.set.late.size > 0 || std::ranges::find(b.verdicts, Verdict::open) != b.verdicts.end()) return false;
+  if (plan_.set.late.size > 0 || std::ranges::find(b.verdicts, MarginVerdict::open) != b.verdicts.end()) return false;
   if (refused == b.verdicts.end()) {
     if (each_) return false;
     accept(b);
@@ -146,7 +146,7 @@ bool Walk::finish(const Block& b) {
   }
   found_.tally.first[static_cast<std::size_t>(refused - b.verdicts.begin())] += n;
   for (std::size_t m = 0; m < b.verdicts.size(); ++m)
-    if (b.verdicts[m] == Verdict::refused) found_.tally.any[m] += n;
+    if (b.verdicts[m] == MarginVerdict::refused) found_.tally.any[m] += n;
   return true;
 }
 

@@ -42,7 +42,7 @@ class Walk {
   struct Block {
     Tile tile;
     int node;
-    std::vector<Verdict> verdicts;
+    std::vector<MarginVerdict> verdicts;
   };
   std::size_t poses(const Block& b) const { return b.tile.size() * turned(b); }
   std::size_t turned(const Block& b) const;

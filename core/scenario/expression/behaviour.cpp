@@ -12,7 +12,7 @@ namespace {
 constexpr int fewest_steps = 64;
 constexpr std::size_t most_steps = 1u << 21;  // more periods than a million samples could show
 constexpr std::size_t most_work = 1u << 27;   // terms evaluated: a second or two
-constexpr int deepest = 30;                   // halvings of one of the first steps
+constexpr int deepest_step = 30;              // halvings of one of the first steps
 constexpr int most_restless = 64;             // steps that are not short enough even so: beside a pole one or two are not
 constexpr int deepest_search = 6;             // halvings of a step in search of switches
 constexpr int most_turning = 1 << 14;         // cells beyond these halvings in which what tells a switch may turn back
@@ -194,7 +194,7 @@ class Observer {
     values(terms_.size(), from, to);
     const double middle = 0.5 * (from + to);
     const bool short_enough = std::all_of(terms_.begin(), terms_.end(), [&](const Term& t) { return calm(t, ranges_); });
-    const bool done = short_enough || depth == deepest || !(from < middle && middle < to);
+    const bool done = short_enough || depth == deepest_step || !(from < middle && middle < to);
     if (!short_enough && done && ++restless_ > most_restless) return false;
     if (!done) return divide(from, middle, depth + 1, steps) && divide(middle, to, depth + 1, steps);
     steps.push_back(to);
@@ -203,7 +203,7 @@ class Observer {
 
   void look(const Telltale& tale, double from, double to, int depth) {
     const double middle = 0.5 * (from + to);
-    if (depth < deepest && !exhausted() && from < middle && middle < to) {
+    if (depth < deepest_step && !exhausted() && from < middle && middle < to) {
       values(tale.term + 1, from, to);
       if (tale.range(ranges_).value.has(0) && (depth < deepest_search || may_turn(tale, from, to))) {
         look(tale, from, middle, depth + 1);

@@ -12,7 +12,7 @@ namespace pmreport::scenario {
 namespace {
 
 constexpr std::size_t longest_text = 2000;  // [bytes]
-constexpr int deepest = 100;                // nested parentheses, signs and powers: the parser recurses
+constexpr int deepest_nest = 100;           // nested parentheses, signs and powers: the parser recurses
 constexpr int largest_exponent = 20;        // of a dimension; far beyond any physical one
 
 enum class Angles { none, any, taken, given };  // of a function: plain numbers only; any dimension; takes an angle; gives one
@@ -342,7 +342,7 @@ class ExpressionParser {
   // Every nested call of the parser; it shall end before the stack does.
   struct Depth {
     explicit Depth(ExpressionParser& p) : parser(p) {
-      if (++parser.depth_ > deepest) throw ExpressionError(parser.at_, fmt::format("expected at most {} nested parts", deepest));
+      if (++parser.depth_ > deepest_nest) throw ExpressionError(parser.at_, fmt::format("expected at most {} nested parts", deepest_nest));
     }
     ~Depth() { --parser.depth_; }
     Depth(const Depth&) = delete;

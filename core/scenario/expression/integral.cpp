@@ -9,7 +9,7 @@ namespace {
 
 constexpr double agreement = 4e-15;                                      // of two halves with the whole, relative to the integral of |f|
 constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();  // of the time at which f is taken, relative to it
-constexpr int deepest = 30;                                              // halvings: a kink is enclosed to a billionth of the panel
+constexpr int deepest_panel = 30;                                        // halvings: a kink is enclosed to a billionth of the panel
 constexpr std::size_t most_panels = 1u << 21;                            // beyond them halves need not agree, and the error says so
 
 }  // namespace
@@ -37,7 +37,7 @@ void Integral::add(double a, double b, const Sum& whole, double allowed, int dep
   const double both = left.value + right.value, difference = std::abs(both - whole.value);
   const double noise = rounding * std::max(std::abs(a), std::abs(b)) * (left.slope + right.slope);
   const bool agree = std::isnan(difference) || difference <= std::max(allowed, agreement * (left.magnitude + right.magnitude)) + noise;
-  if (!agree && depth < deepest && ends_.size() < given_ + most_panels) {
+  if (!agree && depth < deepest_panel && ends_.size() < given_ + most_panels) {
     add(a, middle, left, allowed, depth + 1);
     add(middle, b, right, allowed, depth + 1);
     return;

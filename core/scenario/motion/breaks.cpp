@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <core/numbers.hpp>
 #include <core/scenario/motion/laws.hpp>
 #include <core/text/text.hpp>
 #include <limits>
@@ -58,7 +59,6 @@ Derivatives noise(const Law& law, double t, double away) {
 }  // namespace
 
 std::vector<Break> breaks_of(const Law& law) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
   constexpr double share = 1e-9;     // of a scale: less is no jump that anybody would feel
   constexpr double boundless = 1e5;  // times a scale, so near beside the place that it has none there
   constexpr double nothing = 1e-12;  // of the value, a step long: where only rounding moves
@@ -67,8 +67,8 @@ std::vector<Break> breaks_of(const Law& law) {
   const Scales scales = scales_of(law);
   const double pace = static_cast<double>(law.steps.size()) / (law.steps.back() - law.steps.front());
   for (const Switch& s : law.switches) {
-    const Derivatives before = at(law, s.before), after = at(law, s.after), left = noise(law, s.before, -infinite),
-                      right = noise(law, s.after, infinite);
+    const Derivatives before = at(law, s.before), after = at(law, s.after), left = noise(law, s.before, -infinity),
+                      right = noise(law, s.after, infinity);
     for (std::size_t k = 0; k < 3; ++k) {
       const double floor = nothing * scales.largest * std::pow(pace, static_cast<double>(k));
       const double scale = std::max(scales.size[k], floor), beside = std::max(std::abs(before[k]), std::abs(after[k]));
@@ -79,7 +79,7 @@ std::vector<Break> breaks_of(const Law& law) {
       const double rounding = 10 * (left[k] + right[k]) + (k == 0 ? 64 * std::numeric_limits<double>::epsilon() * beside : 0) +
                               10 * moves * (s.after - s.before);
       if (!unbounded && !(jump > std::max(share * scale, rounding))) continue;
-      out.push_back({static_cast<Break::Of>(k), law.name, law.unit, s.time(), unbounded ? infinite : jump});
+      out.push_back({static_cast<Break::Of>(k), law.name, law.unit, s.time(), unbounded ? infinity : jump});
       break;
     }
   }

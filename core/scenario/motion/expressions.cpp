@@ -112,12 +112,6 @@ const Moved* named(const std::vector<Moved>& list, const std::string& name) {
   return found != list.end() ? &*found : nullptr;
 }
 
-std::string names_of(const std::vector<Moved>& list) {
-  std::vector<std::string> out;
-  for (const Moved& m : list) out.push_back(m.name);
-  return listed(out, "and");
-}
-
 }  // namespace
 
 std::optional<Prescribed> prescribed(const std::vector<Named>& names, const Movables& movables, bool suffix, const Refuse& refuse) {

@@ -50,12 +50,6 @@ std::vector<double> uniform(const TimeSpan& span, std::size_t samples) {
   return time;
 }
 
-std::string names_of(const std::vector<Moved>& list) {
-  std::vector<std::string> names;
-  for (const Moved& m : list) names.push_back(m.name);
-  return listed(names, "and");
-}
-
 constexpr const char *of_forces[] = {"start", "start_rate", "forces"}, *of_points[] = {"profile", "waypoint", "file", "unwrap"};
 
 // Keys that are none of a motion that follows from forces; coordinates and actuators are told by read_forces.

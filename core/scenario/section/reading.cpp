@@ -5,7 +5,7 @@
 namespace pmreport::scenario {
 namespace {
 
-constexpr std::size_t longest_name = 40;
+constexpr std::size_t longest_section_name = 40;
 
 std::vector<std::string> names_of(const Topology& topology) {
   std::vector<std::string> out;
@@ -18,7 +18,7 @@ std::vector<std::string> names_of(const Topology& topology) {
 std::string read_section_name(const Value& value, const Reader& reader) {
   const auto name = reader.text(value);
   if (!name) return {};
-  const bool sound = !name->empty() && name->size() <= longest_name && std::ranges::all_of(*name, [](char c) {
+  const bool sound = !name->empty() && name->size() <= longest_section_name && std::ranges::all_of(*name, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   });
   if (!sound)

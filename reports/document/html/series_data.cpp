@@ -67,7 +67,7 @@ Samples few(const Series& series) {
   return kept;
 }
 
-std::string number(double value) { return fmt::format("{:.6g}", value == 0 ? 0 : value); }
+std::string six_digits(double value) { return fmt::format("{:.6g}", value == 0 ? 0 : value); }
 
 // Evenly spaced ones, as samples of a motion are, by their ends and how many they are.
 std::string times_of(const Samples& samples) {
@@ -77,10 +77,10 @@ std::string times_of(const Samples& samples) {
     bool even = true;
     for (std::size_t i = 0; i < n; ++i)
       even = even && std::abs(samples[i].x - first - step * static_cast<double>(i)) <= 1e-6 * std::abs(step);
-    if (even) return fmt::format("{{\"from\":{},\"to\":{},\"n\":{}}}", number(first), number(samples.back().x), n);
+    if (even) return fmt::format("{{\"from\":{},\"to\":{},\"n\":{}}}", six_digits(first), six_digits(samples.back().x), n);
   }
   std::string out = "[";
-  for (const Point& p : samples) out.append(out.size() > 1 ? "," : "").append(number(p.x));
+  for (const Point& p : samples) out.append(out.size() > 1 ? "," : "").append(six_digits(p.x));
   return out + "]";
 }
 

@@ -10,11 +10,11 @@
 namespace pmreport::figure {
 namespace {
 
-constexpr double pitch = 2.5;      // [pt] between the places tried along a curve
-constexpr double beside = 1.8;     // [pt] from a curve to a name beside it
-constexpr double inset = 2;        // [pt] from a name to the frame
-constexpr double moat = 3.4;       // [pt] no other curve comes nearer to a name than this
-constexpr double own_reach = 2.2;  // [pt] of a leader that lie on its own curve's ink
+constexpr double along_curve = 2.5;  // [pt] between the places tried along a curve
+constexpr double off_curve = 1.8;    // [pt] from a curve to a name beside it
+constexpr double inset_name = 2;     // [pt] from a name to the frame
+constexpr double moat = 3.4;         // [pt] no other curve comes nearer to a name than this
+constexpr double own_reach = 2.2;    // [pt] of a leader that lie on its own curve's ink
 
 void mark(Occupancy& ink, const Trace& trace, const Frame& frame) {
   for (const Stroke& stroke : trace.strokes)
@@ -54,7 +54,7 @@ class Inside {
     const double w = groups_[g].width, h = groups_[g].height - 1;
     for (const Point at : points(g))
       for (const auto& [right, down] : {std::pair{0, -1}, {0, 1}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}}) {
-        const Box box{at.x + right * (w / 2 + beside) - w / 2, at.y + down * (h / 2 + beside) - h / 2, w, h};
+        const Box box{at.x + right * (w / 2 + off_curve) - w / 2, at.y + down * (h / 2 + off_curve) - h / 2, w, h};
         if (!fits(box) || !all_.free(box) || !others_[g].free(box.grown(moat))) continue;
         double room = moat;
         while (room < 12 && others_[g].free(box.grown(room + 2))) room += 2;
@@ -88,7 +88,8 @@ class Inside {
   std::vector<Occupancy> others_;  // of each group, the ink of all curves but its own
 
   bool fits(const Box& box) const {
-    return box.x >= inset && box.y >= inset && box.right() <= frame_.width - inset && box.bottom() <= frame_.height - inset;
+    return box.x >= inset_name && box.y >= inset_name && box.right() <= frame_.width - inset_name &&
+           box.bottom() <= frame_.height - inset_name;
   }
   bool crosses_nothing(std::size_t g, Point from, Point to) const {
     const double length = std::hypot(to.x - from.x, to.y - from.y);
@@ -104,7 +105,7 @@ class Inside {
     for (const Stroke& stroke : trace.strokes)
       for (std::size_t i = 0; i + 1 < stroke.size(); ++i) {
         const double length = std::hypot(stroke[i + 1].x - stroke[i].x, stroke[i + 1].y - stroke[i].y);
-        const int steps = std::max(1, static_cast<int>(length / pitch));
+        const int steps = std::max(1, static_cast<int>(length / along_curve));
         for (int k = 0; k < steps; ++k) {
           const double s = static_cast<double>(k) / steps;
           out.push_back({stroke[i].x + s * (stroke[i + 1].x - stroke[i].x), stroke[i].y + s * (stroke[i + 1].y - stroke[i].y)});

@@ -20,7 +20,6 @@ constexpr double column_width = 85 * millimetre;
 constexpr double full_width = 174 * millimetre;
 constexpr double between_columns = 11;  // [pt]
 constexpr double between_rows = 9;
-constexpr double edge = 1.5;        // [pt] nothing touches the edge of the picture
 constexpr double legend_below = 3;  // [pt] from the axis title
 constexpr int most_columns = 4;
 constexpr double tallest = 250;  // [pt] of a frame to one scale

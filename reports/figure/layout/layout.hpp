@@ -19,6 +19,8 @@
 
 namespace pmreport::figure {
 
+inline constexpr double edge = 1.5;  // [pt] nothing touches the edge of the picture
+
 struct LineLabel {
   std::string text;
   Box box;  // [pt] panel coordinates

@@ -18,13 +18,13 @@
 namespace pmreport::figure {
 namespace {
 
-constexpr double swatch = 19;      // [pt] shows a whole period of every dash
-constexpr double swatch_gap = 3;   // [pt] to its label
-constexpr double column_gap = 8;   // [pt]
-constexpr double padding = 2.5;    // [pt] around the keys
-constexpr double clearance = 2.5;  // [pt] from the box to the nearest ink
-constexpr double inset = 3;        // [pt] from the box to the frame
-constexpr double pitch = 2;        // [pt] between the places tried
+constexpr double swatch = 19;          // [pt] shows a whole period of every dash
+constexpr double swatch_gap = 3;       // [pt] to its label
+constexpr double column_gap = 8;       // [pt]
+constexpr double padding = 2.5;        // [pt] around the keys
+constexpr double box_clearance = 2.5;  // [pt] from the box to the nearest ink
+constexpr double box_inset = 3;        // [pt] from the box to the frame
+constexpr double box_pitch = 2;        // [pt] between the places tried
 const Font font{.size = tick_size};
 
 Text label_text(cairo_t* cr, const Key& key, double width) {
@@ -146,11 +146,11 @@ std::vector<Legend> legend_shapes(cairo_t* cr, const std::vector<Key>& keys, dou
 bool place_inside(const std::vector<Legend>& shapes, const Ground& ground, double width, double height, Legend& placed) {
   double best = std::numeric_limits<double>::infinity();
   for (const Legend& legend : shapes) {
-    const double last_x = width - inset - legend.box.width, last_y = height - inset - legend.box.height;
-    for (double y = inset; y <= last_y; y = y < last_y ? std::min(y + pitch, last_y) : height) {
-      for (double x = inset; x <= last_x; x = x < last_x ? std::min(x + pitch, last_x) : width) {
+    const double last_x = width - box_inset - legend.box.width, last_y = height - box_inset - legend.box.height;
+    for (double y = box_inset; y <= last_y; y = y < last_y ? std::min(y + box_pitch, last_y) : height) {
+      for (double x = box_inset; x <= last_x; x = x < last_x ? std::min(x + box_pitch, last_x) : width) {
         const Box box{x, y, legend.box.width, legend.box.height};
-        if (!ground.ink.free(box.grown(clearance))) continue;
+        if (!ground.ink.free(box.grown(box_clearance))) continue;
         const double price = cost(legend, box, ground, width, height);
         if (price >= best) continue;
         best = price;

@@ -13,14 +13,14 @@
 namespace pmreport::figure {
 namespace {
 
-constexpr double pitch = 2;        // [pt] between the places tried
-constexpr double bend = 2.2;       // [pt] a line may stray so far from the middle of a name on it
-constexpr double from_end = 3;     // [pt] from a name to the end of its line
-constexpr double clearance = 1.2;  // [pt] from a name to other ink
-constexpr double beside = 2.5;     // [pt] from a line to a name that stands beside it
-constexpr double cut = 1.6;        // [pt] from a name to its line
-constexpr double raster = 1.2;     // [pt] between the points of a box that are looked at
-constexpr double long_stroke = 5;  // widths of a name: a further stroke so long bears it too
+constexpr double name_pitch = 2;        // [pt] between the places tried
+constexpr double bend = 2.2;            // [pt] a line may stray so far from the middle of a name on it
+constexpr double from_end = 3;          // [pt] from a name to the end of its line
+constexpr double name_clearance = 1.2;  // [pt] from a name to other ink
+constexpr double beside_line = 2.5;     // [pt] from a line to a name that stands beside it
+constexpr double cut = 1.6;             // [pt] from a name to its line
+constexpr double raster = 1.2;          // [pt] between the points of a box that are looked at
+constexpr double long_stroke = 5;       // widths of a name: a further stroke so long bears it too
 
 // A stroke by its length.
 class Measured {
@@ -85,7 +85,7 @@ class Namer {
     const Occupancy ink = ink_without(line, stroke);
     std::optional<Place> best;
     double least = std::numeric_limits<double>::infinity();
-    for (double s = first; s <= last; s += pitch) {
+    for (double s = first; s <= last; s += name_pitch) {
       Place p{named(line), s - width / 2, s + width / 2};
       const Point a = own.at(p.from), b = own.at(p.to);
       if (std::hypot(b.x - a.x, b.y - a.y) < 0.9 * width) continue;
@@ -107,12 +107,13 @@ class Namer {
     const Measured& own = lines_[line].strokes[stroke];
     const Occupancy others = ink_without(line, lines_[line].strokes.size()), all = ink_without(lines_.size(), 0);
     for (double s = own.length() / 2, step = 0; s >= 0 && s <= own.length();
-         step = step <= 0 ? -step + pitch : -step, s = own.length() / 2 + step) {
+         step = step <= 0 ? -step + name_pitch : -step, s = own.length() / 2 + step) {
       const Point at = own.at(s);
       for (const auto& [right, down] : {std::pair{0, -1}, {0, 1}, {1, 0}, {-1, 0}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}}) {
         Place p{named(line)};
-        p.name.middle = {at.x + right * (p.name.width / 2 + beside), at.y + down * (p.name.height / 2 + beside)};
-        if (stands_free(p.name, all) && all_points(p.name, 2 * beside, [&](Point q) { return others.free({q.x, q.y, 0, 0}); })) return p;
+        p.name.middle = {at.x + right * (p.name.width / 2 + beside_line), at.y + down * (p.name.height / 2 + beside_line)};
+        if (stands_free(p.name, all) && all_points(p.name, 2 * beside_line, [&](Point q) { return others.free({q.x, q.y, 0, 0}); }))
+          return p;
       }
     }
     return std::nullopt;
@@ -148,9 +149,9 @@ class Namer {
   }
 
   bool stands_free(const LineName& name, const Occupancy& ink) const {
-    return all_points(name, clearance, [&](Point p) {
+    return all_points(name, name_clearance, [&](Point p) {
       if (p.x < 0 || p.y < 0 || p.x > frame_.width || p.y > frame_.height || !ink.free({p.x, p.y, 0, 0})) return false;
-      return std::none_of(names_.begin(), names_.end(), [&](const LineName& other) { return other.covers(p, clearance); });
+      return std::none_of(names_.begin(), names_.end(), [&](const LineName& other) { return other.covers(p, name_clearance); });
     });
   }
 
@@ -158,7 +159,7 @@ class Namer {
   static double strays(const Measured& own, const Place& p, Point a, Point b) {
     const double length = std::hypot(b.x - a.x, b.y - a.y);
     double low = 0, high = 0;
-    for (double s = p.from; s <= p.to; s += pitch) {
+    for (double s = p.from; s <= p.to; s += name_pitch) {
       const Point q = own.at(s);
       const double off = ((b.x - a.x) * (q.y - a.y) - (b.y - a.y) * (q.x - a.x)) / length;
       low = std::min(low, off), high = std::max(high, off);
@@ -178,7 +179,7 @@ class Namer {
 
   static bool meets_itself(const Measured& own, const Place& p) {
     for (double s = 0; s <= own.length(); s += raster)
-      if ((s < p.from - from_end || s > p.to + from_end) && p.name.covers(own.at(s), clearance)) return true;
+      if ((s < p.from - from_end || s > p.to + from_end) && p.name.covers(own.at(s), name_clearance)) return true;
     return false;
   }
 };

@@ -9,11 +9,10 @@
 namespace pmreport::figure {
 namespace {
 
-constexpr double edge = 1.5;             // [pt] nothing touches the edge of the picture
-constexpr double between_columns = 7;    // [pt] from a frame to the numbers of the next
-constexpr double between_rows = 6;       // [pt]
-constexpr double after_name = 4;         // [pt] from the name of a row to the numbers of its first panel
-constexpr double frame_height_few = 58;  // [pt] of up to four rows
+constexpr double between_multiples = 7;          // [pt] from a frame to the numbers of the next
+constexpr double between_rows_of_multiples = 6;  // [pt]
+constexpr double after_name = 4;                 // [pt] from the name of a row to the numbers of its first panel
+constexpr double frame_height_few = 58;          // [pt] of up to four rows
 constexpr double frame_height_many = 48;
 constexpr std::size_t few = 4;
 
@@ -61,7 +60,7 @@ Layout lay_out_multiples(cairo_t* cr, const Figure& figure, double width) {
         overhang =
             std::max(overhang, panel.x.position(tick.value) * frame_width + width_of(cr, tick.label, tick_size, false) / 2 - frame_width);
     }
-    double taken = 2 * edge + name_width + after_name + overhang + between_columns * static_cast<double>(columns - 1);
+    double taken = 2 * edge + name_width + after_name + overhang + between_multiples * static_cast<double>(columns - 1);
     for (const double n : numbers) taken += n;
     frame_width = std::max(20.0, std::floor((width - taken) / static_cast<double>(columns)));
   }
@@ -90,12 +89,12 @@ Layout lay_out_multiples(cairo_t* cr, const Figure& figure, double width) {
         const std::vector<Series>& series = figure.panels[r * columns].series;
         panel.row_style = series.empty() ? 0 : style_of(series.front(), 0);
       }
-      x += panel.frame.width + between_columns;
+      x += panel.frame.width + between_multiples;
     }
-    y += frame_height + between_rows;
+    y += frame_height + between_rows_of_multiples;
   }
   const double title_height = Text(cr, "t", {.size = label_size}).extents().height;
-  y += tick_length + tick_gap + tick_height + title_gap + title_height - between_rows;
+  y += tick_length + tick_gap + tick_height + title_gap + title_height - between_rows_of_multiples;
   layout.size = {width, std::ceil(y + edge)};
   return layout;
 }

@@ -12,8 +12,8 @@
 namespace pmreport::figure {
 namespace {
 
-constexpr double longest = 1e9;     // no offset of more digits is a round number
-constexpr double rounding = 1e-11;  // of a curve's values: what moves by less does not move
+constexpr double longest = 1e9;    // no offset of more digits is a round number
+constexpr double unmoved = 1e-11;  // of a curve's values: what moves by less does not move
 
 struct Reach {
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -60,7 +60,7 @@ Panel set_off(const Panel& panel, double share) {
     movement = std::max(movement, reaches.back().span());
     size = std::max(size, reaches.back().size());
   }
-  if (movement > share * (shown.high - shown.low) || movement <= rounding * size) return panel;
+  if (movement > share * (shown.high - shown.low) || movement <= unmoved * size) return panel;
   const double step = step_for(movement);
   Panel out = panel;
   out.lines.clear();  // they are of the values themselves

@@ -114,7 +114,7 @@ void write_card(HtmlWriter& html, const Outcome& o) {
   });
 }
 
-nlohmann::ordered_json json_of(const Outcome& o) {
+nlohmann::ordered_json outcome_as_json(const Outcome& o) {
   nlohmann::ordered_json out{{"scenario", document::clean(o.scenario)}, {"verdict", o.verdict()}, {"status", o.status}};
   if (o.made()) {
     out["folder"] = document::clean(o.folder);
@@ -165,7 +165,7 @@ std::string index_json(const std::vector<Outcome>& outcomes) {
   nlohmann::ordered_json reports = nlohmann::ordered_json::array();
   for (const Outcome& o : outcomes) {
     worst = std::max(worst, o.status);
-    reports.push_back(json_of(o));
+    reports.push_back(outcome_as_json(o));
   }
   return nlohmann::ordered_json{{"schema", "pmreport-index"}, {"schema_version", 1}, {"status", worst}, {"reports", reports}}.dump(2) +
          "\n";

@@ -34,9 +34,10 @@ std::string why_not(const std::string& kinematics) {
   return known != machines.end() ? known->second : "which is not known here";
 }
 
-class Reading {
+class KlipperReading {
  public:
-  explicit Reading(const std::filesystem::path& file) : all_(settings::read_klipper(settings::lines_of(file))), whole_{file.string()} {}
+  explicit KlipperReading(const std::filesystem::path& file)
+      : all_(settings::read_klipper(settings::lines_of(file))), whole_{file.string()} {}
 
   const Setting* find(const std::string& section, const std::string& key) {
     const Setting* s = settings::last_of(all_, section, key);
@@ -81,7 +82,7 @@ class Reading {
 }  // namespace
 
 Imported import_klipper(const std::filesystem::path& file) {
-  Reading config(file);
+  KlipperReading config(file);
   const Setting& kinematics = config.need("printer", "kinematics");
   if (const std::string word = settings::lower(kinematics.value); word != "delta")
     settings::refuse(kinematics.place,

@@ -1,3 +1,4 @@
+#include <core/numbers.hpp>
 #include <reports/program/import/linuxcnc_files.hpp>
 
 #include <core/text/text.hpp>
@@ -6,17 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace pmreport::program::linuxcnc {
 
 using settings::Setting;
-
-namespace {
-
-constexpr double deg = std::numbers::pi / 180;
-
-}  // namespace
 
 Files::Files(const std::vector<std::filesystem::path>& files) : whole_{files.front().string()} {
   for (const auto& file : files)

@@ -5,6 +5,7 @@
 //     l_i = |P + R a_i - b_i|,     R = Rz(c) Ry(b) Rx(a)
 // so that struts 0 to 5 are legs 1 to 6 of mechanism gough, in the same axes. What genhexkins corrects for screws that turn in their nuts
 // as the joints tilt is no length between joints, and not taken over.
+#include <core/numbers.hpp>
 #include <reports/program/import/linuxcnc_files.hpp>
 
 #include <core/text/text.hpp>
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <optional>
 
@@ -25,8 +25,6 @@ using Eigen::Vector3d;
 using settings::Setting;
 
 namespace {
-
-constexpr double deg = std::numbers::pi / 180;
 
 // Where LinuxCNC puts the joints of a hexapod that says nothing: a machine of 1.2 m in inches.
 constexpr double default_base[6][3] = {{-22.950, 13.250, 0}, {22.950, 13.250, 0}, {22.950, 13.250, 0},

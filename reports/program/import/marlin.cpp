@@ -184,9 +184,9 @@ class Arithmetic {
   int steps_ = 0;
 };
 
-class Reading {
+class MarlinReading {
  public:
-  explicit Reading(const std::vector<std::filesystem::path>& files) : whole_{files.front().string()} {
+  explicit MarlinReading(const std::vector<std::filesystem::path>& files) : whole_{files.front().string()} {
     for (const auto& file : files) read_definitions(settings::lines_of(file), all_, order_);
   }
   const Place& whole() const { return whole_; }
@@ -247,7 +247,7 @@ class Reading {
 }  // namespace
 
 Imported import_marlin(const std::vector<std::filesystem::path>& files) {
-  Reading config(files);
+  MarlinReading config(files);
   const Definition* delta = config.find("DELTA");
   if (delta == nullptr) {
     for (const char* other : {"MORGAN_SCARA", "MP_SCARA", "AXEL_TPARA", "POLARGRAPH", "POLAR", "COREXY", "COREXZ"})

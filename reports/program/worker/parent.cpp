@@ -33,9 +33,9 @@ namespace {
 using document::Descriptor;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::seconds grace{5};     // between an interruption and the end by force
-constexpr std::chrono::seconds farewell{2};  // between a worker's regular end and the end of its process
-constexpr int between_looks = 20;            // [ms], where the pipe does not wake us
+constexpr std::chrono::seconds patience_allowed{5};  // between an interruption and the end by force
+constexpr std::chrono::seconds farewell{2};          // between a worker's regular end and the end of its process
+constexpr int between_looks = 20;                    // [ms], where the pipe does not wake us
 constexpr std::size_t most_libraries_left_out = 32;
 
 constexpr int handed[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
@@ -135,7 +135,7 @@ End attend(pid_t pid, const Descriptor& notes, double timeout) {
     }
     const auto now = Clock::now();
     if (end.heard.done >= 0 && !patience) patience = now + farewell;
-    if (handed_on != 0 && !patience) patience = now + grace;
+    if (handed_on != 0 && !patience) patience = now + patience_allowed;
     end.late = end.late || (timeout > 0 && end.heard.done < 0 && std::chrono::duration<double>(now - begin).count() > timeout);
     if (!end.killed && (end.late || (patience && now > *patience))) {
       kill(pid, SIGKILL);

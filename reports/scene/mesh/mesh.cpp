@@ -1,8 +1,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <core/numbers.hpp>
 #include <limits>
-#include <numbers>
 #include <reports/scene/mesh/mesh.hpp>
 #include <reports/scene/mesh/surfaces.hpp>
 
@@ -12,8 +12,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-constexpr double pi = std::numbers::pi;
 
 // Edges are rounded a little: they catch the light as real ones do, and one normal per vertex then serves for shading and for the outline.
 constexpr double bevel_share = 0.08;  // of the thickness or radius

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <core/numbers.hpp>
 #include <numbers>
 #include <reports/scene/look.hpp>
 #include <reports/scene/showing/choose_view.hpp>
@@ -12,7 +13,6 @@ namespace {
 using mechanics::Machine;
 using mechanics::Pose;
 
-constexpr double deg = std::numbers::pi / 180;
 constexpr int width = 96, height = 72;  // [px] of the pictures that are looked at
 // How much each of them counts, of 1 in all.
 constexpr double weight_limbs = 0.38, weight_least = 0.12, weight_platform = 0.1, weight_joints = 0.2, weight_middle = 0.15;

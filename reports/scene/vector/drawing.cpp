@@ -26,8 +26,6 @@ Color ink_for(const Color& c, const Ink& ink) {
   return {ink.dark + ink.share * c.r, ink.dark + ink.share * c.g, ink.dark + ink.share * c.b, c.a < 1 ? ghost_line : 1};
 }
 
-Vector2d on_page(const Vector3d& p) { return {p.x(), -p.y()}; }
-
 void add_outlines(std::vector<Stroke>& strokes, const Region& region, double width, const Color& color) {
   for (const ClipperLib::Path& path : region) {
     Stroke s{{}, color, width, true, {}};

@@ -1,8 +1,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <core/numbers.hpp>
 #include <map>
-#include <numbers>
 #include <reports/scene/vector/facets.hpp>
 
 namespace pmreport::scene {
@@ -12,7 +12,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double pi = std::numbers::pi;
 constexpr double edge_on = 1e-3;  // a face whose normal has no more than this towards the viewer is not seen
 constexpr double farthest = 1e7;  // [px] what reaches beyond is not drawn
 

@@ -13,8 +13,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-Vector2d on_page(const Vector3d& p) { return {p.x(), -p.y()}; }
-
 Color toned(const Color& c, double tone) {
   const auto channel = [&](float x) { return static_cast<float>(tone <= 1 ? x * tone : x + (1 - x) * std::min(1.0, 2.2 * (tone - 1))); };
   return {channel(c.r), channel(c.g), channel(c.b), c.a};

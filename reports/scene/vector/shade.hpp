@@ -6,6 +6,7 @@
 namespace pmreport::scene {
 
 Color lit(const Color& color, const Eigen::Vector3d& normal);  // normal: right, up, towards the viewer
+inline Eigen::Vector2d on_page(const Eigen::Vector3d& p) { return {p.x(), -p.y()}; }
 Paint flat(const Color& color);
 // The visible region of a solid, side by side: the largest side under the others.
 std::vector<Area> shaded(const Solid& solid, const Seen& seen, const View& view, Manner manner);

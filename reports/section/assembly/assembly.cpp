@@ -1,4 +1,5 @@
 // Section `assembly`: every pose that the actuator values of one moment allow, and how near the motion comes to another of them.
+#include <core/numbers.hpp>
 #include <reports/section/assembly/along.hpp>
 #include <reports/section/assembly/assembly.hpp>
 #include <reports/section/assembly/modes.hpp>
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pmreport::section {
 
@@ -19,7 +19,6 @@ using mechanics::ModeContinuum;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double on_continuum = 1e-6;  // of the characteristic length
 
 }  // namespace

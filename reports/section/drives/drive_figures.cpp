@@ -1,17 +1,15 @@
 // The figures of the section `drives`.
+#include <core/numbers.hpp>
 #include <reports/section/common/force_plots.hpp>
 #include <reports/section/common/words/words.hpp>
 #include <reports/section/drives/drives.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pmreport::section {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 figure::Figure drive_figure(const Analysis& a) {
   figure::Figure f{

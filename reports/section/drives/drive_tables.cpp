@@ -1,5 +1,6 @@
 // The tables of the section `drives`.
 #include <core/mechanics/model/effort.hpp>
+#include <core/numbers.hpp>
 #include <reports/section/common/force_plots.hpp>
 #include <reports/section/common/words/words.hpp>
 #include <reports/section/drives/drives.hpp>
@@ -8,13 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pmreport::section {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Integral of the negative part of a power by straight lines between the samples, cut where they cross zero; as a positive number [J].
 double given_back(const Analysis& a, const ColumnId& column) {

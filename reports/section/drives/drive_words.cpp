@@ -19,7 +19,7 @@ namespace {
 std::string percent(double x) { return std::isfinite(x) ? format_number(100 * x, 3) + " %" : "–"; }
 
 // Actuators alike in some way share a row of words: "l₁ to l₅", "l₁, l₃".
-std::string listed(const Analysis& a, const std::vector<std::size_t>& indices) {
+std::string actuators_listed(const Analysis& a, const std::vector<std::size_t>& indices) {
   if (indices.size() == actuators(a).size()) return "every actuator";
   std::string out;
   for (const std::size_t i : indices) out += (out.empty() ? "" : ", ") + symbol(actuators(a)[i].name);
@@ -48,7 +48,7 @@ std::vector<Paragraph> drive_words(const Analysis& a) {
   }
   std::string list;
   for (const auto& [drive, of] : kinds)
-    list += fmt::format("{}{}: {}", list.empty() ? "" : "; ", listed(a, of), train_words(drive, actuators(a)[of.front()].unit));
+    list += fmt::format("{}{}: {}", list.empty() ? "" : "; ", actuators_listed(a, of), train_words(drive, actuators(a)[of.front()].unit));
   list.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(list.front())));
   tell(Paragraph::Tone::plain, list + ".");
 

@@ -1,10 +1,10 @@
 // Section `drives`.
+#include <core/numbers.hpp>
 #include <reports/section/common/force_plots.hpp>
 #include <reports/section/drives/drives.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 namespace pmreport::section {
@@ -12,8 +12,6 @@ namespace pmreport::section {
 using mechanics::DriveTrain;
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // What no drive train may do, and what its motor must.
 document::Proof evidence(const Analysis& a) {

@@ -1,6 +1,7 @@
 // Section `dynamics`.
 #include <core/analysis/study/given_forces.hpp>
 #include <core/analysis/study/motion_work.hpp>
+#include <core/numbers.hpp>
 #include <reports/section/common/force_plots.hpp>
 #include <reports/section/common/words/singular_words.hpp>
 #include <reports/section/common/words/words.hpp>
@@ -12,15 +13,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pmreport::section {
 
 using document::Paragraph;
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // The shares that the scenario has; the rest is zero throughout.
 std::vector<Share> shares_of(const Analysis& a, const Actuator& actuator) {

@@ -1,5 +1,6 @@
 // The table of the section "At every instant": extremes over all of the motion, beside those of the samples.
 #include <core/analysis/columns.hpp>
+#include <core/numbers.hpp>
 #include <core/text/units.hpp>
 #include <reports/section/common/words/brackets.hpp>
 #include <reports/section/common/words/noise.hpp>
@@ -10,14 +11,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pmreport::section {
 
 namespace {
 
 constexpr std::size_t joints_shown = 6;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The range that bounds a column: a stroke, or the limit of a joint; infinite: none. A deflection is never less than 0, which bounds
 // nothing.

@@ -1,3 +1,4 @@
+#include <core/numbers.hpp>
 #include <reports/section/front/key_numbers.hpp>
 
 #include <core/analysis/study/reduce.hpp>
@@ -23,7 +24,6 @@ namespace {
 
 constexpr std::size_t most = 6;
 constexpr double nearly_used = 0.8;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::string upper_first(std::string s) {
   if (!s.empty()) s[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(s[0])));

@@ -238,7 +238,7 @@ Result reactions_section(const Analysis& a, const ReactionsOptions& request, con
   Result out{{"reactions", "reactions", "Joint reactions", {}}, {}, {}, {}};
   document::Section& s = out.section;
   const auto tell = [&](const std::string& text, Paragraph::Tone tone = Paragraph::Tone::plain) {
-    s.blocks.push_back(Paragraph{tone, text});
+    s.blocks.emplace_back(Paragraph{tone, text});
   };
   for (const std::string& line : singularity_sentences(a)) tell(line, Paragraph::Tone::warning);
   for (const std::string& line : joint_limit_sentences(a)) tell(line, Paragraph::Tone::warning);

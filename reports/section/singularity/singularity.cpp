@@ -1,4 +1,5 @@
 // Section `singularity`: how far the motion stays from a loss of control, where it is lost, of which type, and how the platform escapes.
+#include <core/numbers.hpp>
 #include <reports/section/common/plots.hpp>
 #include <reports/section/common/words/brackets.hpp>
 #include <reports/section/common/words/singular_words.hpp>
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pmreport::section {
 
@@ -19,7 +19,6 @@ using mechanics::Singularity;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t pictured = 4;  // poses at most
 constexpr std::size_t examined = 8;  // crossings at most
 const scene::Color escape_color{0.82F, 0.0F, 0.42F, 1.0F};

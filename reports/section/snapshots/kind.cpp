@@ -1,3 +1,4 @@
+#include <core/numbers.hpp>
 #include <reports/section/snapshots/snapshots.hpp>
 
 #include <core/scenario/section/keys.hpp>
@@ -6,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace pmreport::section {
 
@@ -15,7 +15,6 @@ namespace keys = scenario::keys;
 
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 constexpr int smallest_picture = 64, largest_picture = 8000;  // [px]; drawn at twice the size, and 16384 is the renderer's end
 constexpr int most_overlaid = 12;
 constexpr std::size_t most_times = 100, most_views = 20;

@@ -1,4 +1,5 @@
 // The phase plane of a motion, and what it asks for at its largest speed.
+#include <core/numbers.hpp>
 #include <reports/section/speed/speed.hpp>
 
 #include <reports/figure/palette.hpp>
@@ -16,7 +17,6 @@ using Kind = mechanics::SpeedLimit::Kind;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double shown = 3;  // times the largest feasible speed: what lies higher in the phase plane binds nobody
 
 const char* word_of(Kind kind, bool rotary) {

@@ -1,4 +1,5 @@
 // Section `stiffness`: how far the platform gives way, and why.
+#include <core/numbers.hpp>
 #include <reports/section/common/plots.hpp>
 #include <reports/section/common/words/words.hpp>
 #include <reports/section/stiffness/stiffness.hpp>
@@ -22,7 +23,6 @@ using mechanics::Matrix6d, mechanics::Vector6d;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t pictured = 3;
 
 // Looks at poses, at rest but for those of the motion.

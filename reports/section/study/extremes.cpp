@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace pmreport::section {
 
@@ -13,20 +12,20 @@ namespace {
 
 bool has(const Judged& j, std::size_t number) { return number < j.numbers.size() && j.numbers[number].known(); }
 
-std::string alike_words(const Extreme& e) {
+std::string alike_words(const ExtremeVariant& e) {
   const auto n = static_cast<int>(e.alike.size());
   return n == 0 ? "" : fmt::format(" ({} {} not told apart from it)", plural(n, "other"), n == 1 ? "is" : "are");
 }
 
 }  // namespace
 
-std::optional<Extreme> extreme(const std::vector<const Judged*>& all, std::size_t number, bool largest) {
-  std::optional<Extreme> out;
+std::optional<ExtremeVariant> extreme(const std::vector<const Judged*>& all, std::size_t number, bool largest) {
+  std::optional<ExtremeVariant> out;
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (!has(*all[k], number)) continue;
     const double x = all[k]->numbers[number].value;
     const double best = out ? all[out->index]->numbers[number].value : 0;
-    if (!out || (largest ? x > best : x < best)) out = Extreme{k, {}};
+    if (!out || (largest ? x > best : x < best)) out = ExtremeVariant{k, {}};
   }
   if (!out) return out;
   const Bracketed& own = all[out->index]->numbers[number];
@@ -40,11 +39,11 @@ std::optional<Extreme> extreme(const std::vector<const Judged*>& all, std::size_
 
 std::string extremes_sentence(const StudyOptions& o, std::size_t number, const std::vector<const Judged*>& all,
                               const std::function<std::string(std::size_t)>& where) {
-  const std::optional<Extreme> high = extreme(all, number, true), low = extreme(all, number, false);
+  const std::optional<ExtremeVariant> high = extreme(all, number, true), low = extreme(all, number, false);
   std::string title = title_of(o, number);
   if (!high) return fmt::format("No variant has a {}.", title);
   const std::string& unit = o.numbers[number].unit;
-  const auto value = [&](const Extreme& e) { return with_unit(all[e.index]->numbers[number], unit); };
+  const auto value = [&](const ExtremeVariant& e) { return with_unit(all[e.index]->numbers[number], unit); };
   if (std::ranges::all_of(all, [&](const Judged* j) {
         return !has(*j, number) || order_of(j->numbers[number], all[high->index]->numbers[number]) == analysis::Order::equal;
       }))

@@ -12,11 +12,11 @@
 namespace pmreport::section {
 
 // Index of the variant that has it, and of those whose brackets meet its own. None: no variant has the number.
-struct Extreme {
+struct ExtremeVariant {
   std::size_t index = 0;
   std::vector<std::size_t> alike;
 };
-std::optional<Extreme> extreme(const std::vector<const Judged*>& all, std::size_t number, bool largest);
+std::optional<ExtremeVariant> extreme(const std::vector<const Judged*>& all, std::size_t number, bool largest);
 
 // "The volume of the workspace is largest, 0.0123 m³, at ..., and smallest, ..., at ...; two others are not told apart from it."
 // `where`: what is said of a variant, "at base_radius = 250 mm".

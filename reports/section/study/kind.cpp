@@ -11,8 +11,6 @@ namespace pmreport::section {
 
 namespace {
 
-constexpr std::size_t most_values = 400;  // variants that have values of their own
-
 std::vector<scenario::Quantity> quantities(const scenario::Options* options) {
   using Asked = StudyOptions::Asked;
   const StudyOptions plain;
@@ -39,7 +37,7 @@ std::vector<scenario::Quantity> quantities(const scenario::Options* options) {
     std::size_t count = 1;
     for (const StudiedParameter& p : o.over) count *= p.count;
     if (o.asked == Asked::variants) count = o.variants.size();
-    for (std::size_t k = 1; k <= std::min(count, most_values); ++k)
+    for (std::size_t k = 1; k <= std::min(count, most_variants_told); ++k)
       add(fmt::format("{}_{}", n.own, k), n.unit, fmt::format("{}, variant {}", n.title, k));
   }
   if (!best) return out;

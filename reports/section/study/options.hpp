@@ -12,6 +12,8 @@
 
 namespace pmreport::section {
 
+inline constexpr std::size_t most_variants_told = 400;  // have values of their own, for checks
+
 // A number that a study looks at.
 struct StudiedNumber {
   analysis::MachineNumber what;

@@ -5,6 +5,7 @@
 #include <reports/section/study/extremes.hpp>
 #include <reports/section/study/words.hpp>
 
+#include <core/numbers.hpp>
 #include <core/text/text.hpp>
 
 #include <fmt/format.h>
@@ -21,10 +22,8 @@ using document::Paragraph;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t most_rows = 40;     // of a table: more are left to the data file
-constexpr double seen = 5e-3;             // of a panel's height: a bracket that is narrower is not drawn
-constexpr std::size_t most_values = 400;  // variants that have values of their own, for checks
+constexpr std::size_t most_rows = 40;  // of a table: more are left to the data file
+constexpr double seen = 5e-3;          // of a panel's height: a bracket that is narrower is not drawn
 
 std::vector<const Judged*> pointers(const Sweep& s) {
   std::vector<const Judged*> out;
@@ -182,7 +181,7 @@ void add_sweep(const Analysis& a, const StudyOptions& o, const Progress& progres
   }
   add_columns(o, all, data);
   out.data.push_back(std::move(data));
-  add_values_of_variants(o, all, most_values, out);
+  add_values_of_variants(o, all, most_variants_told, out);
 }
 
 }  // namespace pmreport::section

@@ -31,8 +31,8 @@ bool all_one(const Analysis& a, const std::vector<Trace>& curves) {
 
 }  // namespace
 
-Extreme extreme_of(const Analysis& a, const std::vector<Trace>& columns, bool largest) {
-  Extreme out{std::nan(""), -1, ""};
+WorstSample extreme_of(const Analysis& a, const std::vector<Trace>& columns, bool largest) {
+  WorstSample out{std::nan(""), -1, ""};
   for (const Trace& c : columns) {
     const std::vector<double>& x = a.column(c.column);
     for (int k = 0; k < a.samples(); ++k) {
@@ -82,13 +82,13 @@ document::Table transmission_worst(const Analysis& a) {
   const auto number = [](double x, int digits) { return std::isfinite(x) ? typeset(format_number(x, digits)) : std::string("–"); };
   const auto add = [&](const std::string& name, const ColumnId& pressure, const ColumnId& output, const ColumnId& input) {
     const auto worst = [&](const ColumnId& column, bool largest) {
-      return a.has(column) ? extreme_of(a, {{column, ""}}, largest) : Extreme{std::nan(""), -1, ""};
+      return a.has(column) ? extreme_of(a, {{column, ""}}, largest) : WorstSample{std::nan(""), -1, ""};
     };
-    const auto when = [&](const Extreme& e) { return e.sample >= 0 ? show_time(a, e.sample) : std::string("–"); };
+    const auto when = [&](const WorstSample& e) { return e.sample >= 0 ? show_time(a, e.sample) : std::string("–"); };
     const auto mean = [&](const ColumnId& column, double (*of)(double)) {
       return a.has(column) ? mean_of(a.column(column), of) : std::nan("");
     };
-    const Extreme p = worst(pressure, true), o = worst(output, false), i = worst(input, false);
+    const WorstSample p = worst(pressure, true), o = worst(output, false), i = worst(input, false);
     t.rows.push_back({name, number(p.value * 180 / std::numbers::pi, 4), when(p),
                       number(mean(pressure, [](double x) { return std::cos(x); }), 4), number(o.value, 4), when(o),
                       number(mean(output, [](double x) { return x; }), 4), number(i.value, 4), when(i)});

@@ -1,4 +1,5 @@
 // Indices at given poses, over a map and over a grid.
+#include <core/numbers.hpp>
 #include <reports/section/common/words/words.hpp>
 #include <reports/section/transmission/transmission.hpp>
 
@@ -13,8 +14,6 @@
 namespace pmreport::section {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::string where(const Topology& t, const Eigen::VectorXd& home, const Eigen::VectorXd& q) {
   std::vector<std::string> parts;

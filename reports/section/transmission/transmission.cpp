@@ -20,7 +20,7 @@ std::string worst_words(const Analysis& a) {
   const bool by_local = a.has(local);
   if (!by_local && !a.has(cosine)) return "";
   const ColumnId column = by_local ? local : cosine;
-  const Extreme least = extreme_of(a, {{column, ""}});
+  const WorstSample least = extreme_of(a, {{column, ""}});
   if (least.sample < 0) return "";
   const auto known = std::ranges::count_if(a.column(column), [](double x) { return std::isfinite(x); });
   const auto below = std::ranges::count_if(a.column(column), [](double x) { return x < analysis::good_transmission; });

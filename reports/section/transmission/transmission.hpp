@@ -32,12 +32,12 @@ document::Table transmission_worst(const Analysis& a);  // of the motion, an act
 document::Proof transmission_proof(const Analysis& a, const TransmissionOptions& r);
 
 // The smallest number of columns over the motion, and where; NaN where none has one. `largest`: the largest.
-struct Extreme {
+struct WorstSample {
   double value = 0;
   int sample = -1;
   std::string column;
 };
-Extreme extreme_of(const Analysis& a, const std::vector<Trace>& columns, bool largest = false);
+WorstSample extreme_of(const Analysis& a, const std::vector<Trace>& columns, bool largest = false);
 
 struct PosesOfTransmission {
   document::Table table;

@@ -1,4 +1,5 @@
 // Slices, pictures and files of a workspace.
+#include <core/numbers.hpp>
 #include <reports/section/workspace/export_mesh.hpp>
 #include <reports/section/workspace/export_npy.hpp>
 #include <reports/section/workspace/index_map.hpp>
@@ -23,7 +24,6 @@ namespace pmreport::section {
 namespace {
 
 constexpr std::size_t slice_points = 121, coarse_points = 41, surface_points = 65;  // along an axis
-constexpr double deg = std::numbers::pi / 180;
 constexpr scene::Color membrane{0.10f, 0.45f, 0.75f, 0.28f};
 
 // A scan over some of the axes, for pictures: evenly, whatever the section counts.

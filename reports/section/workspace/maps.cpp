@@ -1,17 +1,15 @@
 // An index, counts and outlines over two coordinates.
+#include <core/numbers.hpp>
 #include <reports/figure/contour.hpp>
 #include <reports/section/workspace/grid_view.hpp>
 #include <reports/section/workspace/slice.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pmreport::section {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 figure::Panel map_panel(const GridView& grid, const std::vector<double>& values, const figure::Axis& bar, const std::string& missing) {
   figure::Panel panel = grid.panel();

@@ -1,3 +1,4 @@
+#include <core/numbers.hpp>
 #include <core/text/units.hpp>
 #include <reports/figure/colour_scale.hpp>
 #include <reports/figure/contour.hpp>
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace pmreport::section {
@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::size_t fine_points = 361;                // about, along an axis: steps of half a point on the page
 constexpr std::size_t most_told = figure::classes - 2;  // besides what is accepted and the others
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // The margins, as their rounding lets them be read: not negative where the pose is accepted.
 std::vector<std::vector<double>> readable(const scan::Field& field, const std::vector<mechanics::PoseMargin>& margins) {

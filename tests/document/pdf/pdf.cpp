@@ -54,7 +54,7 @@ Report with_block(Block block) {
 
 std::string text_of(const Report& r) { return ask("pdftotext -layout {} -", to_pdf(r)).value_or(""); }
 
-int pages_of(const Report& r) {
+int count_pages(const Report& r) {
   const auto info = ask("pdfinfo {}", to_pdf(r));
   return info ? std::stoi("0" + sample::field(*info, "Pages")) : 0;
 }
@@ -225,7 +225,7 @@ TEST_CASE("a table of ten thousand rows shows the first and says where the other
   CHECK(contains(text, "Rows 1 to 60 of 10000 are shown; report.html has all of them."));
   CHECK(contains(text, "60.03"));
   CHECK_FALSE(contains(text, "61.03"));
-  CHECK(pages_of(r) <= 5);
+  CHECK(count_pages(r) <= 5);
 }
 
 TEST_CASE("a wide table stays on the paper") {

@@ -19,7 +19,7 @@ using namespace pmreport::document::pdf;
 namespace {
 
 constexpr double tall = 1000;  // a sheet
-constexpr double rounding = 0.02;
+constexpr double flow_rounding = 0.02;
 
 // Builds items block after block.
 struct Story {
@@ -99,7 +99,7 @@ TEST_CASE("gaps open where a page would else be mostly white, and only as far as
   for (std::size_t i : {1u, 2u, 3u}) s.items[i].gap = 40;
   const auto sheets = s.sheets();
   REQUIRE(sheets[0].items.size() == 3);
-  CHECK(sheets[0].used == Approx((1 - most_white) * tall).margin(rounding));
+  CHECK(sheets[0].used == Approx((1 - most_white) * tall).margin(flow_rounding));
   CHECK(sheets[0].y[1] == Approx(215 + 40 * (1 + sheets[0].stretch)));
   CHECK(sheets[0].stretch <= most_stretch);
   CHECK(sheets[1].stretch == 0);
@@ -199,16 +199,16 @@ TEST_CASE("every item stands once, within its page, below the one before, and on
         const std::size_t i = sheet.items[k];
         const Item& item = s.items[i];
         ++seen[i];
-        CHECK(sheet.y[k] >= bottom - rounding);
+        CHECK(sheet.y[k] >= bottom - flow_rounding);
         bottom = sheet.y[k] + item.height * (item.scales ? sheet.scale : 1);
-        CHECK(bottom <= tall + rounding);
+        CHECK(bottom <= tall + flow_rounding);
         CHECK(item.section >= section);
         section = item.section;
         std::size_t& last = item.may_move ? last_figure : last_still;
         CHECK((i == 0 || i > last || last == 0));
         last = i;
       }
-      CHECK(bottom == Approx(sheet.used).margin(rounding));
+      CHECK(bottom == Approx(sheet.used).margin(flow_rounding));
     }
     CHECK(std::ranges::all_of(seen, [](int n) { return n == 1; }));
   }

@@ -1,5 +1,6 @@
 #include <core/mechanics/assembly/assembly.hpp>
 
+#include <core/numbers.hpp>
 #include <pmreport/mechanism.hpp>
 #include <tests/mechanics/assembly/actuators_at.hpp>
 #include <tests/mechanics/assembly/crank_angles.hpp>
@@ -12,8 +13,6 @@ using namespace pmreport::mechanics;
 using test::actuators_at, test::crank_angles, test::modes_at, test::shortly;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // A rod of length L between a slider on X and a slider on Y: x^2 + y^2 = L^2. The slider on X drives and stands on one side of the other's
 // axis, by the working mode; the slider on Y carries the load.

@@ -2,6 +2,7 @@
 #include <core/mechanics/assembly/follow.hpp>
 
 #include <core/mechanics/model/generic_model.hpp>
+#include <core/numbers.hpp>
 #include <tests/mechanics/assembly/actuators_at.hpp>
 #include <tests/mechanics/assembly/crank_angles.hpp>
 #include <tests/mechanics/mechanisms.hpp>
@@ -9,12 +10,6 @@
 using namespace pmreport;
 using namespace pmreport::mechanics;
 using test::actuators_at, test::crank_angles, test::modes_at, test::shortly;
-
-namespace {
-
-constexpr double pi = std::numbers::pi;
-
-}  // namespace
 
 TEST_CASE("the other mode of a slider-crank is followed along a motion and comes nearest where the crank is nearest to its dead centre") {
   const Machine machine = test::make(test::slider_crank());

@@ -1,5 +1,6 @@
 // Mistakes in data alone, each planted in a table on six legs that is sound without it: what is remarked, and that nothing else is.
 #include <core/mechanics/conformance/plausibility.hpp>
+#include <core/numbers.hpp>
 #include <pmreport/free_platform.hpp>
 #include <pmreport/leg.hpp>
 #include <pmreport/mechanism.hpp>
@@ -15,7 +16,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double deg = std::numbers::pi / 180, base_radius = 0.5, platform_radius = 0.2, height = 0.6;
+constexpr double base_radius = 0.5, platform_radius = 0.2, home_height = 0.6;
 using Six = std::array<Vector3d, 6>;
 
 // Pairs, half an angle to either side of vertices that are a step apart.
@@ -36,16 +37,16 @@ Six around(double radius, double step) {
 // What a test plants its mistake in.
 struct Given {
   Six a = pairs(base_radius, 0, 120, 20), b = pairs(platform_radius, 0, 120, 40);
-  Vector3d home{0, 0, height};
+  Vector3d home{0, 0, home_height};
   std::function<void(Topology&)> change = [](Topology&) {};
 };
 Given given;
 
-class Table : public Mechanism<6> {
+class OddTable : public Mechanism<6> {
  public:
   static constexpr const char *name = "table", *title = "a table on six legs", *source = "a test";
   static constexpr std::array<Parameter, 0> parameters{};
-  explicit Table(const Parameters&) : given_(given) {}
+  explicit OddTable(const Parameters&) : given_(given) {}
 
   Topology topology() const {
     Topology t;
@@ -91,7 +92,7 @@ class Table : public Mechanism<6> {
 
 std::vector<Remark> remarks_on(const Given& with) {
   given = with;
-  const pm_mechanism& table = contract::mechanism<Table>;
+  const pm_mechanism& table = contract::mechanism<OddTable>;
   return plausibility(Machine(table, default_values(describe(table))));
 }
 
@@ -277,7 +278,7 @@ TEST_CASE("steps of 100 degrees for 120 are remarked, whatever axis they go abou
 
   for (Six* six : {&g.a, &g.b})
     for (Vector3d& p : *six) p = Vector3d(p.y(), 0, p.x());
-  g.home = {0, height, 0};
+  g.home = {0, home_height, 0};
   CHECK_THAT(only(g).seen, Contains("every 100 deg about Y"));
 
   Given single;

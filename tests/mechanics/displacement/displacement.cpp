@@ -10,7 +10,7 @@ using namespace pmreport::mechanics;
 
 namespace {
 
-SmallVector actuators_at(const Machine& machine, const Eigen::VectorXd& q) {
+SmallVector actuator_values(const Machine& machine, const Eigen::VectorXd& q) {
   const Pose pose = machine.pose({q.data(), static_cast<std::size_t>(q.size())});
   REQUIRE(pose.status == PM_OK);
   return Eigen::Map<const Eigen::VectorXd>(pose.numbers.data() + machine.layout().actuator(0), machine.dof());
@@ -33,7 +33,7 @@ TEST_CASE("a hexapod's pose is found again from its limbs, from home and from ne
   for (int k = 0; k < 200; ++k) {
     const Eigen::VectorXd q = test::random_motion(machine, random).q;
     CAPTURE(q.transpose());
-    const SmallVector l = actuators_at(machine, q);
+    const SmallVector l = actuator_values(machine, q);
     const Eigen::VectorXd nearby = q + 0.01 * Eigen::VectorXd::Ones(6);
     const SmallVector home = machine.home();
     for (const SmallVector& guess : {SmallVector(nearby), home}) {
@@ -49,7 +49,7 @@ TEST_CASE("a hexapod's pose is found again from its limbs, from home and from ne
 TEST_CASE("a slider-crank has a pose on either side of its dead centre, and the guess's side is kept") {
   const Machine machine = test::make(test::slider_crank());
   ForwardSolver solver(machine);
-  const SmallVector s = actuators_at(machine, Eigen::VectorXd::Constant(1, 1.2));
+  const SmallVector s = actuator_values(machine, Eigen::VectorXd::Constant(1, 1.2));
   std::vector<double> found;
   for (double guess = -3.1; guess < 3.1; guess += 0.05) {
     CAPTURE(guess);
@@ -57,7 +57,7 @@ TEST_CASE("a slider-crank has a pose on either side of its dead centre, and the 
     const ForwardSolution r = solver.solve(s, start);
     REQUIRE(r.outcome == Outcome::good);
     CHECK(determinant(machine, r.coordinates) * determinant(machine, start) > 0);
-    CHECK((actuators_at(machine, r.coordinates) - s).norm() < 1e-12);
+    CHECK((actuator_values(machine, r.coordinates) - s).norm() < 1e-12);
     const double turns = std::remainder(r.coordinates(0), 2 * std::numbers::pi);
     if (std::none_of(found.begin(), found.end(), [&](double x) { return std::abs(x - turns) < 1e-9; })) found.push_back(turns);
   }
@@ -94,7 +94,7 @@ TEST_CASE("a sequence is followed from each solution to the next, and stops wher
     Eigen::VectorXd q(6);
     q << 0.08 * t, -0.05 * t, 0.6 + 0.05 * t * t, 0.2 * t, -0.1 * t, 0.15 * t;
     poses.push_back(q);
-    actuators.push_back(actuators_at(machine, q));
+    actuators.push_back(actuator_values(machine, q));
   }
   const std::vector<ForwardSolution> followed = follow_actuators(machine, actuators, machine.home());
   REQUIRE(followed.size() == poses.size());

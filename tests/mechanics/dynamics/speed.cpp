@@ -5,6 +5,7 @@
 #include <core/mechanics/mobility/mobility.hpp>
 #include <core/mechanics/model/generic_model.hpp>
 #include <core/mechanics/reactions/reactions.hpp>
+#include <core/numbers.hpp>
 #include <tests/mechanics/mechanisms.hpp>
 
 #include <catch2/catch.hpp>
@@ -17,7 +18,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity(), no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 // Roots are good to a few roundings of well-conditioned polynomials; 1e-13 leaves room for those that the tests add.
 constexpr double exact = 1e-13;
 

@@ -12,8 +12,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 namespace {
-constexpr double rounding = 1e-12;
-const test::RotorNumbers rotor;
+constexpr double work_rounding = 1e-12;
+const test::RotorNumbers work_rotor;
 }  // namespace
 
 TEST_CASE("the tangent times the coordinates' rates gives twists and actuator rates") {
@@ -27,9 +27,9 @@ TEST_CASE("the tangent times the coordinates' rates gives twists and actuator ra
       const State s = motion.state(machine);
       const Tangent t = tangent(machine, s);
       const VectorXd twists = stacked_twists(s);
-      CHECK((t.bodies * motion.rate - twists).norm() < rounding * twists.norm());
+      CHECK((t.bodies * motion.rate - twists).norm() < work_rounding * twists.norm());
       for (int i = 0; i < machine.dof(); ++i)
-        CHECK(t.actuators.row(i).dot(motion.rate) == Approx(s.actuators[static_cast<std::size_t>(i)].rate).margin(rounding));
+        CHECK(t.actuators.row(i).dot(motion.rate) == Approx(s.actuators[static_cast<std::size_t>(i)].rate).margin(work_rounding));
     }
 }
 
@@ -40,24 +40,24 @@ TEST_CASE("a physical pendulum") {
   const State s = test::state_of(machine, theta, w, e);
   const Tangent t = tangent(machine, s);
   const Vector3d gravity(0, -g, 0);
-  const double arm = std::cos(theta) * rotor.centre.x() - std::sin(theta) * rotor.centre.y();  // of the weight, along x
+  const double arm = std::cos(theta) * work_rotor.centre.x() - std::sin(theta) * work_rotor.centre.y();  // of the weight, along x
   const Vector6d load = (Vector6d() << 0, 0, 0, 0, 0, 2.5).finished();
 
   const EquationsOfMotion eq = equations_of_motion(machine, s, t, gravity);
-  CHECK(eq.mass(0, 0) == Approx(rotor.zz).epsilon(rounding));
-  CHECK(std::abs(eq.coriolis(0)) < rounding * rotor.zz * w * w);
-  CHECK(eq.gravity(0) == Approx(rotor.mass * g * arm).epsilon(rounding));
-  CHECK(reflected_inertia(t, eq.mass)(0) == Approx(rotor.zz).epsilon(rounding));
+  CHECK(eq.mass(0, 0) == Approx(work_rotor.zz).epsilon(work_rounding));
+  CHECK(std::abs(eq.coriolis(0)) < work_rounding * work_rotor.zz * w * w);
+  CHECK(eq.gravity(0) == Approx(work_rotor.mass * g * arm).epsilon(work_rounding));
+  CHECK(reflected_inertia(t, eq.mass)(0) == Approx(work_rotor.zz).epsilon(work_rounding));
 
   const ForceShares shares = virtual_work(machine, s, t, {load, gravity});
-  CHECK(shares.inertia(0) == Approx(rotor.zz * e).epsilon(rounding));
-  CHECK(shares.gravity(0) == Approx(rotor.mass * g * arm).epsilon(rounding));
-  CHECK(shares.load(0) == Approx(-2.5).epsilon(rounding));
-  CHECK(shares.total()(0) == Approx(rotor.zz * e + rotor.mass * g * arm - 2.5).epsilon(rounding));
+  CHECK(shares.inertia(0) == Approx(work_rotor.zz * e).epsilon(work_rounding));
+  CHECK(shares.gravity(0) == Approx(work_rotor.mass * g * arm).epsilon(work_rounding));
+  CHECK(shares.load(0) == Approx(-2.5).epsilon(work_rounding));
+  CHECK(shares.total()(0) == Approx(work_rotor.zz * e + work_rotor.mass * g * arm - 2.5).epsilon(work_rounding));
 
   // Let go, it falls: no torque.
-  const State free = test::state_of(machine, theta, w, -rotor.mass * g * arm / rotor.zz);
-  CHECK(std::abs(virtual_work(machine, free, t, {Vector6d::Zero(), gravity}).total()(0)) < rounding * rotor.mass * g);
+  const State free = test::state_of(machine, theta, w, -work_rotor.mass * g * arm / work_rotor.zz);
+  CHECK(std::abs(virtual_work(machine, free, t, {Vector6d::Zero(), gravity}).total()(0)) < work_rounding * work_rotor.mass * g);
 }
 
 TEST_CASE("the torque of an engine's crank follows from its energy") {
@@ -86,12 +86,12 @@ TEST_CASE("the torque of an engine's crank follows from its energy") {
     const EquationsOfMotion eq = equations_of_motion(machine, s, t, {0, -g, 0});
     const auto [phi, gx, gy, x] = velocities(theta);
     const double of_weight = E::crank_mass * g * E::crank_centre * std::cos(theta) + E::rod_mass * g * gy;
-    CHECK(eq.mass(0, 0) == Approx(mass(theta)).epsilon(rounding));
+    CHECK(eq.mass(0, 0) == Approx(mass(theta)).epsilon(work_rounding));
     CHECK(std::abs(eq.coriolis(0) - 0.5 * slope * w * w) < 1e-9 * mass(theta) * w * w);
-    CHECK(eq.gravity(0) == Approx(of_weight).epsilon(rounding));
+    CHECK(eq.gravity(0) == Approx(of_weight).epsilon(work_rounding));
     const ForceShares shares = virtual_work(machine, s, t, {(Vector6d() << gas, 0, 0, 0, 0, 0).finished(), {0, -g, 0}});
-    CHECK(shares.load(0) == Approx(-gas * x).epsilon(rounding));
-    CHECK(shares.gravity(0) == Approx(of_weight).epsilon(rounding));
+    CHECK(shares.load(0) == Approx(-gas * x).epsilon(work_rounding));
+    CHECK(shares.gravity(0) == Approx(of_weight).epsilon(work_rounding));
     CHECK(std::abs(shares.inertia(0) - mass(theta) * e - 0.5 * slope * w * w) < 1e-9 * mass(theta) * w * w);
   }
 }
@@ -103,7 +103,7 @@ TEST_CASE("an actuator feels the inertia of all that it moves, through the squar
   const Tangent t = tangent(machine, s);
   const double reflected = reflected_inertia(t, equations_of_motion(machine, s, t, Vector3d::Zero()).mass)(0);
   const double rate = s.actuators[0].rate;
-  CHECK(0.5 * reflected * rate * rate == Approx(kinetic_energy(machine, s)).epsilon(rounding));
+  CHECK(0.5 * reflected * rate * rate == Approx(kinetic_energy(machine, s)).epsilon(work_rounding));
 }
 
 TEST_CASE("shares of what is not there are zero") {

@@ -10,7 +10,7 @@ using namespace pmreport::mechanics;
 
 namespace {
 const pm_mechanism* all[] = {&test::hexapod(), &test::four_bar(), &test::arm(), &test::slider_crank()};
-constexpr double rounding = 1e-11;  // condition numbers up to about 100
+constexpr double form_rounding = 1e-11;  // condition numbers up to about 100
 }  // namespace
 
 TEST_CASE("the Jacobian's rate is its change along the motion") {
@@ -40,9 +40,9 @@ TEST_CASE("forward velocity and acceleration undo the inverse") {
       const State s = motion.state(machine);
       const BodyState& platform = s.bodies[static_cast<std::size_t>(machine.topology().platform)];
       const ClosedForm c = closed_form(machine, s, characteristic_length(machine));
-      CHECK((forward_velocity(c, actuator_rates(s)) - platform.twist()).norm() < rounding * (1 + platform.twist().norm()));
+      CHECK((forward_velocity(c, actuator_rates(s)) - platform.twist()).norm() < form_rounding * (1 + platform.twist().norm()));
       CHECK((forward_acceleration(c, actuator_accelerations(s), platform.twist()) - platform.twist_rate()).norm() <
-            rounding * (1 + platform.twist_rate().norm()));
+            form_rounding * (1 + platform.twist_rate().norm()));
     }
   }
 }

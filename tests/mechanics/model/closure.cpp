@@ -18,7 +18,7 @@ std::vector<BodyState> bodies_at(const Machine& machine, const std::vector<doubl
   return bodies_at_rest(machine, pose);
 }
 
-constexpr double rounding = 1e-12;
+constexpr double closure_rounding = 1e-12;
 
 }  // namespace
 
@@ -31,8 +31,8 @@ TEST_CASE("a mechanism that closes has no gap and no misalignment") {
       const test::Motion motion = test::random_motion(machine, random);
       const ClosureError e = closure.error(motion.state(machine).bodies);
       INFO(table->name << ", q = " << motion.q.transpose());
-      CHECK(e.gap < rounding);
-      CHECK(e.misalignment < rounding);  // by arc tangents: an arc cosine near zero would know half the digits
+      CHECK(e.gap < closure_rounding);
+      CHECK(e.misalignment < closure_rounding);  // by arc tangents: an arc cosine near zero would know half the digits
     }
   }
 }
@@ -59,7 +59,7 @@ TEST_CASE("a slide is no gap, but a shift across the slide is") {
   const Closure closure(machine);
   std::vector<BodyState> bodies = bodies_at(machine, {0.0, 0.3, 0.0});
   bodies[2].origin.x() += 0.1;
-  CHECK(closure.error(bodies).gap < rounding);
+  CHECK(closure.error(bodies).gap < closure_rounding);
   bodies[2].origin.y() += 1e-4;
   CHECK(closure.error(bodies).gap == Approx(1e-4).epsilon(1e-9));
 }
@@ -75,7 +75,7 @@ TEST_CASE("a prismatic joint keeps the orientation of what it carries, unless a 
     piston.rotation = piston.rotation * AngleAxisd(0.2, along);
     const ClosureError e = closure.error(bodies);
     if (base == test::BaseJoint::ball) {
-      CHECK(e.misalignment < rounding);
+      CHECK(e.misalignment < closure_rounding);
     } else {
       CHECK(e.misalignment == Approx(0.2).epsilon(1e-9));
       CHECK(machine.topology().joints[static_cast<std::size_t>(e.misalignment_joint)].name == "P3");
@@ -140,7 +140,7 @@ TEST_CASE("a universal joint's two angles rebuild the orientation of its leg") {
       const Vector3d first = machine.axis(machine.home_pose(), joint, 0), second = machine.axis(machine.home_pose(), joint, 1);
       const Eigen::Matrix3d rebuilt =
           AngleAxisd(angles[0], first) * AngleAxisd(angles[1], second) * machine.rotation(machine.home_pose(), leg);
-      CHECK((rebuilt - machine.rotation(pose, leg)).norm() < rounding);
+      CHECK((rebuilt - machine.rotation(pose, leg)).norm() < closure_rounding);
     }
   }
 }

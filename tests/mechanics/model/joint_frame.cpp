@@ -12,7 +12,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 namespace {
-constexpr double rounding = 1e-13;
+constexpr double frame_rounding = 1e-13;
 
 const Joint& declared(const Machine& machine, int joint) { return machine.topology().joints[static_cast<std::size_t>(joint)]; }
 const JointState& placed(const State& s, int joint) { return s.joints[static_cast<std::size_t>(joint)]; }
@@ -35,11 +35,11 @@ TEST_CASE("every joint's axes are a right-handed frame with the joint's own axis
       for (int j = 0; j < static_cast<int>(s.joints.size()); ++j) {
         INFO(machine.info().name << ", joint " << declared(machine, j).name << ", q = " << motion.q.transpose());
         const Matrix3d f = frames(s, j);
-        CHECK((f.transpose() * f - Matrix3d::Identity()).norm() < rounding);
+        CHECK((f.transpose() * f - Matrix3d::Identity()).norm() < frame_rounding);
         CHECK(f.determinant() > 0);
         const bool ball = declared(machine, j).kind == JointKind::spherical;
         const Vector3d own = ball ? Vector3d(rotation(s, declared(machine, j).stud).col(2)) : placed(s, j).axis[0];
-        CHECK((f.col(0) - own).norm() < rounding);
+        CHECK((f.col(0) - own).norm() < frame_rounding);
       }
     }
   }
@@ -58,7 +58,7 @@ TEST_CASE("a frame turns with body a, and stays in it") {
       for (int j = 0; j < static_cast<int>(s.joints.size()); ++j) {
         INFO(table->name << ", joint " << declared(machine, j).name);
         const int a = declared(machine, j).a;
-        CHECK((rotation(s, a).transpose() * frames(s, j) - rotation(home, a).transpose() * frames(home, j)).norm() < rounding);
+        CHECK((rotation(s, a).transpose() * frames(s, j) - rotation(home, a).transpose() * frames(home, j)).norm() < frame_rounding);
       }
     }
   }
@@ -71,7 +71,7 @@ TEST_CASE("axis 2 of a universal joint is its second axis") {
   const State s = test::random_motion(machine, random).state(machine);
   for (int i = 1; i <= 6; ++i) {
     const int j = test::joint_named(machine, "A" + std::to_string(i));
-    CHECK((frames(s, j).col(1) - placed(s, j).axis[1]).norm() < rounding);
+    CHECK((frames(s, j).col(1) - placed(s, j).axis[1]).norm() < frame_rounding);
   }
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("a slender leg does not carry a frame: the platform does, or the base"
         const JointFrames::Recipe& r = frames.recipe(j);
         CHECK(r.carrier == carrier);
         const Vector3d mark = rotation(s, r.carrier) * r.mark, third = frames(s, j).col(2);
-        CHECK(std::abs(third.dot(mark)) < rounding);
+        CHECK(std::abs(third.dot(mark)) < frame_rounding);
         CHECK(frames(s, j).col(1).dot(mark) > 0.5);  // its share across axis 1 is most of it
       }
     }
@@ -102,6 +102,6 @@ TEST_CASE("the mark is the base axis that stands most across axis 1 at home") {
   const Machine machine = test::make_engine();  // revolute joints about z, a slide along x
   const JointFrames frames(machine);
   const State home = test::state_of(machine, machine.home()(0), 0, 0);
-  for (int j = 0; j < 3; ++j) CHECK((frames(home, j).col(1) - Vector3d::UnitX()).norm() < rounding);
-  CHECK((frames(home, 3).col(1) - Vector3d::UnitY()).norm() < rounding);
+  for (int j = 0; j < 3; ++j) CHECK((frames(home, j).col(1) - Vector3d::UnitX()).norm() < frame_rounding);
+  CHECK((frames(home, 3).col(1) - Vector3d::UnitY()).norm() < frame_rounding);
 }

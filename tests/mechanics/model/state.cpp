@@ -19,13 +19,13 @@ auto rate_of(F&& f) {
   return ((8.0 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h)).eval();
 }
 
-const pm_mechanism* all[] = {&test::hexapod(), &test::four_bar(), &test::arm(), &test::slider_crank()};
+const pm_mechanism* machines[] = {&test::hexapod(), &test::four_bar(), &test::arm(), &test::slider_crank()};
 
 }  // namespace
 
 TEST_CASE("a rigid body's angular velocity is the rate of its rotation") {
   std::mt19937_64 random(11);
-  for (const pm_mechanism* table : all) {
+  for (const pm_mechanism* table : machines) {
     const Machine machine = test::make(*table);
     for (int k = 0; k < 20; ++k) {
       const test::Motion motion = test::random_motion(machine, random);
@@ -63,7 +63,7 @@ TEST_CASE("a slender body turns with its axis and does not spin") {
 
 TEST_CASE("velocities are rates of places, and accelerations rates of velocities, for every body") {
   std::mt19937_64 random(13);
-  for (const pm_mechanism* table : all) {
+  for (const pm_mechanism* table : machines) {
     const Machine machine = test::make(*table);
     for (int k = 0; k < 20; ++k) {
       const test::Motion motion = test::random_motion(machine, random);

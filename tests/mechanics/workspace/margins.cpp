@@ -1,19 +1,17 @@
 // Margins against the limits that they stand for.
 #include <catch2/catch.hpp>
 #include <core/mechanics/workspace/margin_recorder.hpp>
+#include <core/numbers.hpp>
 #include <core/program/evaluate.hpp>
 
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <random>
 
 namespace pmreport::mechanics {
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // Margins of one number v of two inputs, as `record` makes it.
 template <class Record>

@@ -1,6 +1,7 @@
 // How an expression behaves over a span of time: steps as fine as it wavers, and switches where its branches meet. What is right is known
 // from the expressions: zeros of sines, corners of pulses.
 #include <catch2/catch.hpp>
+#include <core/numbers.hpp>
 #include <core/scenario/expression/behaviour.hpp>
 #include <core/scenario/expression/range.hpp>
 #include <random>
@@ -9,8 +10,6 @@ using namespace pmreport;
 using namespace pmreport::scenario;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 Expression parsed(const char* text) { return Expression::parse(text, Time::allowed); }
 Behaviour over(const char* text, double end) { return behaviour(parsed(text), 0, end); }

@@ -14,7 +14,7 @@ namespace {
 
 using J = Jet<Real>;
 
-Expression parsed(const std::string& text) { return Expression::parse(text, Time::allowed); }
+Expression parsed_text(const std::string& text) { return Expression::parse(text, Time::allowed); }
 
 J power(const J& x, Real n) {
   const Real df = n == 0 ? 0 : n * std::pow(x.value, n - 1), ddf = n == 0 || n == 1 ? 0 : n * (n - 1) * std::pow(x.value, n - 2);
@@ -170,7 +170,7 @@ TEST_CASE("at every instant an expression is within its bounds over the span") {
   for (int i = 0; i < 1500; ++i) {
     const std::string text = author.write(3);
     CAPTURE(seed, i, text);
-    const Expression e = parsed(text);
+    const Expression e = parsed_text(text);
     const Escaped out = escaped(bounds_of(e), exact(e), -2, 5, 10, author.generator());
     INFO(out.first);
     REQUIRE(out.instants == 0);
@@ -181,7 +181,7 @@ TEST_CASE("at every instant an expression is within its bounds over the span") {
 
 TEST_CASE("bounds that are too narrow are found out") {
   std::mt19937 generator(1);
-  const Expression e = parsed("abs(sin(3*t/1 s)) * exp(-t/4 s)");
+  const Expression e = parsed_text("abs(sin(3*t/1 s)) * exp(-t/4 s)");
   const auto narrowed = [&](auto&& change) {
     const Over over = [&](Bounds span) {
       Jet<Bounds> x = scenario::over(e, span);
@@ -200,7 +200,7 @@ TEST_CASE("bounds shrink to what an expression does with the square of the span"
   for (const char* text : {"sin(2*t/1 s) * cos(3*t/1 s) + t/3 s", "exp(sin(t/1 s)) / (2 + cos(t/1 s))", "(t/1 s)^3 - (t/1 s)^2 * 2 + 1",
                            "atan2(sin(t/1 s) + 2, t/1 s) * tanh(t/1 s)", "log(2 + t/1 s) * (t/1 s)^1.5 - asin(t/9 s)/1 rad"}) {
     CAPTURE(text);
-    const Expression e = parsed(text);
+    const Expression e = parsed_text(text);
     for (const double t : {0.7, 1.3, 2.1}) {
       const double wide = excess(e, t, t + 0.02), narrow = excess(e, t, t + 0.01);
       CAPTURE(t, wide, narrow);
@@ -213,7 +213,7 @@ TEST_CASE("bounds shrink to what an expression does with the square of the span"
 TEST_CASE("at a point the bounds are some units in the last place") {
   std::mt19937 generator(2);
   std::uniform_real_distribution<double> time(0.1, 4);
-  const Expression e = parsed("20 mm * sin(2*pi*t/10 s) + 3 mm * exp(-t/2 s)");
+  const Expression e = parsed_text("20 mm * sin(2*pi*t/10 s) + 3 mm * exp(-t/2 s)");
   for (int i = 0; i < 200; ++i) {
     const Jet<Bounds> x = scenario::over(e, Bounds::exactly(time(generator)));
     CHECK(x.value.width() < 20 * 2.3e-16 * 0.023);  // of the largest term
@@ -224,7 +224,7 @@ TEST_CASE("at a point the bounds are some units in the last place") {
 TEST_CASE("a span that holds or touches a switch has both sides of it") {
   const auto check_rate = [](const char* text, Bounds span, Bounds rate) {
     CAPTURE(text, span.low, span.high);
-    const Jet<Bounds> x = scenario::over(parsed(text), span);
+    const Jet<Bounds> x = scenario::over(parsed_text(text), span);
     CHECK(x.rate.low == Approx(rate.low).margin(1e-12));
     CHECK(x.rate.high == Approx(rate.high).margin(1e-12));
   };
@@ -236,16 +236,16 @@ TEST_CASE("a span that holds or touches a switch has both sides of it") {
   }
   check_rate("abs(t/1 s - 1)", {1.25, 2}, {1, 1});
   // The value of an angle that jumps by a turn, on both sides; what it moves by is not the integral of any rate.
-  const Jet<Bounds> turn = scenario::over(parsed("atan2(sin(t/1 s), cos(t/1 s))"), {3, 3.2});
+  const Jet<Bounds> turn = scenario::over(parsed_text("atan2(sin(t/1 s), cos(t/1 s))"), {3, 3.2});
   CHECK(turn.value.low < -3.14159);
   CHECK(turn.value.high > 3.14159);
   CHECK_FALSE(turn.rate.bounded());
-  CHECK(scenario::over(parsed("abs(t/1 s - 1)"), {0.5, 2}).rate.bounded());
-  CHECK_FALSE(scenario::over(parsed("abs(t/1 s - 1)"), {0.5, 2}).acceleration.bounded());
-  CHECK_FALSE(scenario::over(parsed("min(t/1 s, 1)"), {0.5, 1}).acceleration.bounded());
+  CHECK(scenario::over(parsed_text("abs(t/1 s - 1)"), {0.5, 2}).rate.bounded());
+  CHECK_FALSE(scenario::over(parsed_text("abs(t/1 s - 1)"), {0.5, 2}).acceleration.bounded());
+  CHECK_FALSE(scenario::over(parsed_text("min(t/1 s, 1)"), {0.5, 1}).acceleration.bounded());
   // Begin and end of a step are smooth to the acceleration.
   for (const double t : {0.0, 1.0}) {
-    const Jet<Bounds> x = scenario::over(parsed("step5(t, 0 s, 1 s)"), {t - 1e-6, t + 1e-6});
+    const Jet<Bounds> x = scenario::over(parsed_text("step5(t, 0 s, 1 s)"), {t - 1e-6, t + 1e-6});
     CHECK(x.value.has(t));
     CHECK(x.value.width() < 1e-14);
     CHECK(x.acceleration.width() < 1e-3);
@@ -256,13 +256,13 @@ TEST_CASE("where an expression explodes nothing is known, and away from it all i
   for (const char* text : {"tan(t/1 s)", "1/(t/1 s - 1.5)", "1/sin(2*t/1 s - 3)", "sqrt(t/1 s - 1.5)", "log(t/1 s - 1.5)", "asin(t/1.5 s)",
                            "(t/1 s - 1.5)^-2", "(t/1 s - 1.5)^0.5", "atan2(t/1 s - 1.5, 0*t/1 s)"}) {
     CAPTURE(text);
-    const Expression e = parsed(text);
+    const Expression e = parsed_text(text);
     CHECK_FALSE(scenario::over(e, {1.4, 1.6}).value.bounded());
     CHECK_FALSE(scenario::over(e, {-1000, 1000}).acceleration.bounded());
   }
-  CHECK(scenario::over(parsed("tan(t/1 s)"), {1, 1.5}).acceleration.bounded());
+  CHECK(scenario::over(parsed_text("tan(t/1 s)"), {1, 1.5}).acceleration.bounded());
   // At the root of nothing there is a value, but no rate; of its power 1.5 a rate, but no acceleration.
-  const Jet<Bounds> root = scenario::over(parsed("sqrt(t/1 s)"), {0, 1}), power = scenario::over(parsed("(t/1 s)^1.5"), {0, 1});
+  const Jet<Bounds> root = scenario::over(parsed_text("sqrt(t/1 s)"), {0, 1}), power = scenario::over(parsed_text("(t/1 s)^1.5"), {0, 1});
   CHECK(root.value.bounded());
   CHECK_FALSE(root.rate.bounded());
   CHECK(power.rate.bounded());
@@ -277,7 +277,7 @@ TEST_CASE("no expression of the fuzzer's corpus leaves its bounds") {
     const std::string text{std::istreambuf_iterator<char>(in), {}};
     CAPTURE(text);
     try {
-      const Expression e = parsed(text);
+      const Expression e = parsed_text(text);
       ++expressions;
       const Escaped out = escaped(bounds_of(e), exact(e), 0, 10, 20, generator);
       INFO(out.first);

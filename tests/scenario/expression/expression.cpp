@@ -10,7 +10,7 @@ using namespace pmreport::scenario;
 namespace {
 
 using Real = long double;
-constexpr Real pi = 3.141592653589793238462643383279502884L;
+constexpr Real long_pi = 3.141592653589793238462643383279502884L;
 constexpr Dimension plain{}, a_length{1, 0, 0, 0}, angle{0, 0, 0, 1};
 
 double constant(const char* text) { return Expression::parse(text, Time::forbidden).at(0).value; }
@@ -54,11 +54,11 @@ TEST_CASE("units bind tighter than operators, compound ones as a whole") {
   CHECK(constant("1 h + 1 min + 1 s") == 3661);
   CHECK(constant("min(2 m, 30 cm)") == Approx(0.3));
   CHECK(constant("3 t") == 3000);
-  CHECK(constant("90°") == Approx(double(pi / 2)));
+  CHECK(constant("90°") == Approx(double(long_pi / 2)));
   CHECK(constant("1e2mm") == Approx(0.1));
   CHECK(constant("- - 5") == 5);
   CHECK(constant("50 %") == Approx(0.5));
-  CHECK(constant("60 rpm") == Approx(double(2 * pi)));
+  CHECK(constant("60 rpm") == Approx(double(2 * long_pi)));
   CHECK(constant("8 m^-1 * 2 m") == 16);
   CHECK(constant("sqrt(9 mm^2)") == Approx(0.003));
   CHECK(Expression::parse("t/10 s", Time::allowed).at(5).value == Approx(0.5));
@@ -91,8 +91,8 @@ TEST_CASE("an expression knows its dimension") {
 
 TEST_CASE("rates and accelerations are exact") {
   const std::pair<const char*, Function> cases[] = {
-      {"20 mm * sin(2*pi*t/10 s)", [](Real t) { return 0.020L * std::sin(2 * pi * t / 10); }},
-      {"3 deg * (1 - cos(2*pi*t/10 s))", [](Real t) { return 3 * pi / 180 * (1 - std::cos(2 * pi * t / 10)); }},
+      {"20 mm * sin(2*pi*t/10 s)", [](Real t) { return 0.020L * std::sin(2 * long_pi * t / 10); }},
+      {"3 deg * (1 - cos(2*pi*t/10 s))", [](Real t) { return 3 * long_pi / 180 * (1 - std::cos(2 * long_pi * t / 10)); }},
       {"5 mm/s * t + 3 mm/s^2 * t^2 - 1 mm", [](Real t) { return 0.005L * t + 0.003L * t * t - 0.001L; }},
       {"exp(-t/2 s) * log(1 + t/1 s)", [](Real t) { return std::exp(-t / 2) * std::log(1 + t); }},
       {"sqrt(1 + (t/1 s)^3)", [](Real t) { return std::sqrt(1 + t * t * t); }},

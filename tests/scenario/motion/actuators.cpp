@@ -2,6 +2,7 @@
 // from the feeler's height, y = r sin psi: every pose can be worked out by hand.
 #include <fmt/format.h>
 #include <catch2/catch.hpp>
+#include <core/numbers.hpp>
 #include <core/scenario/expression/integral.hpp>
 #include <random>
 #include <tests/given/slider_crank.hpp>
@@ -13,8 +14,6 @@ using namespace trial;
 using Catch::Contains;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 std::string moving(std::string_view motion, std::string_view parameters = "dependent = \"phi\"") {
   return "title = \"Stage\"\n[mechanism]\nuse = \"stage\"\nparameters = { " + std::string(parameters) +

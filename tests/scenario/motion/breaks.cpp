@@ -10,19 +10,19 @@ using mechanics::Break;
 
 namespace {
 
-std::string moving(const std::string& line, const std::string& duration, int samples) {
+std::string moving_until(const std::string& line, const std::string& duration, int samples) {
   return "title = \"Stage\"\n[mechanism]\nuse = \"stage\"\n[[section]]\nkind = \"displacement\"\n[motion]\nduration = \"" + duration +
          "\"\nsamples = " + std::to_string(samples) + "\n" + line + "\n";
 }
-mechanics::Trajectory motion_of(const std::string& line, const std::string& duration = "4 s", int samples = 20) {
-  const std::string text = moving(line, duration, samples);
+mechanics::Trajectory trajectory_of(const std::string& line, const std::string& duration = "4 s", int samples = 20) {
+  const std::string text = moving_until(line, duration, samples);
   INFO(told(text));
   return load_text(text, "a.toml", stage::source(), section::kinds()).trajectory;
 }
 
 void check_break(const std::string& line, Break::Of of, double time, double jump, double margin = 1e-12) {
   CAPTURE(line);
-  const mechanics::Trajectory m = motion_of(line);
+  const mechanics::Trajectory m = trajectory_of(line);
   REQUIRE(m.breaks.size() == 1);
   CHECK(m.breaks[0].of == of);
   CHECK(m.breaks[0].what == "x");
@@ -53,7 +53,7 @@ TEST_CASE("a value that jumps is told with its time, by whichever function it do
 }
 
 TEST_CASE("two kinks between two samples are told both") {
-  const mechanics::Trajectory m = motion_of("x = \"1 mm * max(0, 1 - ((t - 1.7 s)/1 ms)^2)\"");
+  const mechanics::Trajectory m = trajectory_of("x = \"1 mm * max(0, 1 - ((t - 1.7 s)/1 ms)^2)\"");
   REQUIRE(m.breaks.size() == 2);
   CHECK(m.breaks[0].of == Break::Of::rate);
   CHECK(m.breaks[0].time == Approx(1.699));
@@ -70,17 +70,17 @@ TEST_CASE("what is smooth to its acceleration has no breaks, though it has knots
   for (const char* line :
        {"x = \"10 mm * step5(t, 1 s, 3 s)\"", "x = \"1 mm * max(t/1 s - 1.1, 0)^3\"", "x = \"1 mm * abs(t/1 s - 1.1)^3\""}) {
     CAPTURE(line);
-    const mechanics::Trajectory m = motion_of(line);
+    const mechanics::Trajectory m = trajectory_of(line);
     CHECK(m.breaks.empty());
     CHECK_FALSE(m.knots.empty());
   }
-  CHECK(motion_of("x = \"20 mm * sin(2*pi*t/4 s)\"").knots.empty());
+  CHECK(trajectory_of("x = \"20 mm * sin(2*pi*t/4 s)\"").knots.empty());
 }
 
 TEST_CASE("a thousand turns away from zero rounding is still told from a jump") {
   // |sin|^3 is smooth to its acceleration at all its 2399 zeros; |sin| is not to its rate.
-  CHECK(motion_of("x = \"1 mm * (abs(sin(2*pi*2*t/1 s)))^3\"", "600 s").breaks.empty());
-  const mechanics::Trajectory m = motion_of("x = \"1 mm * abs(sin(2*pi*2*t/1 s))\"", "600 s");
+  CHECK(trajectory_of("x = \"1 mm * (abs(sin(2*pi*2*t/1 s)))^3\"", "600 s").breaks.empty());
+  const mechanics::Trajectory m = trajectory_of("x = \"1 mm * abs(sin(2*pi*2*t/1 s))\"", "600 s");
   REQUIRE(m.breaks.size() == 2399);
   CHECK(m.breaks.back().of == Break::Of::rate);
   CHECK(m.breaks.back().time == Approx(599.75));
@@ -88,7 +88,7 @@ TEST_CASE("a thousand turns away from zero rounding is still told from a jump") 
 }
 
 TEST_CASE("knots and breaks of several coordinates stand together, by time, and end with the motion") {
-  mechanics::Trajectory m = motion_of("x = \"1 mm * abs(t/1 s - 3)\"\nphi = \"1 deg * abs(t/1 s - 1.5)\"");
+  mechanics::Trajectory m = trajectory_of("x = \"1 mm * abs(t/1 s - 3)\"\nphi = \"1 deg * abs(t/1 s - 1.5)\"");
   REQUIRE(m.breaks.size() == 2);
   CHECK(m.breaks[0].what == "phi");
   CHECK(m.breaks[0].unit == "rad");
@@ -100,17 +100,17 @@ TEST_CASE("knots and breaks of several coordinates stand together, by time, and 
 }
 
 TEST_CASE("a motion without a bound between its samples is refused with the time") {
-  const auto tell = [](const std::string& law) { return told(moving("x = \"" + law + "\"", "2 s", 21)); };
+  const auto tell = [](const std::string& law) { return told(moving_until("x = \"" + law + "\"", "2 s", 21)); };
   CHECK_THAT(tell("1 mm * sqrt(abs(t/1 s - 1.05))"), Contains("a.toml:9:5: error: x has no finite rate at t = 1.05 s"));
   CHECK_THAT(tell("1 mm/(t/1 s - 1.05)^2"), Contains("x has no finite value at t = 1.05 s"));
   CHECK_THAT(tell("1 mm * (abs(t/1 s - 1.05))^1.5"), Contains("x has no finite acceleration at t = 1.05 s"));
   CHECK_THAT(tell("1e300 m"), Contains("a.toml:9:5: error: x is 1e300 m at t = 0 s, out of all proportion to a machine"));
-  CHECK_THAT(told(moving("x_rate = \"1 mm/s * tan(t/1 s)\"", "2 s", 20)), Contains("x has no finite rate at t = 1.57"));
+  CHECK_THAT(told(moving_until("x_rate = \"1 mm/s * tan(t/1 s)\"", "2 s", 20)), Contains("x has no finite rate at t = 1.57"));
   CHECK_THAT(tell("1 mm * sin(1 s/(t - 1.05 s))"), Contains("x wavers or switches more often over 2 s than can be looked at"));
 }
 
 TEST_CASE("points are knots, and a curve through them has no breaks") {
-  const mechanics::Trajectory m = motion_of(
+  const mechanics::Trajectory m = trajectory_of(
       "profile = \"cubic-spline\"\n[[motion.waypoint]]\ntime = \"0 s\"\n[[motion.waypoint]]\ntime = \"1 s\"\nx = \"10 "
       "mm\"\n[[motion.waypoint]]\ntime = \"3 s\"\nx = \"-5 mm\"\n[[motion.waypoint]]\ntime = \"4 s\"");
   CHECK(m.knots == std::vector<double>{1, 3});

@@ -16,7 +16,7 @@ std::string forced(std::string_view motion, std::string_view forces, std::string
          " }\n[[section]]\nkind = \"displacement\"\n[motion]\nfrom = \"forces\"\nduration = \"2 s\"\nsamples = 21\n" + std::string(motion) +
          "[motion.forces]\n" + std::string(forces) + std::string(more);
 }
-Loaded loaded(const std::string& text) { return load_text(text, "a.toml", stage::source(), section::kinds()); }
+Loaded loaded_text(const std::string& text) { return load_text(text, "a.toml", stage::source(), section::kinds()); }
 
 // Steps err by 1e-10 of what they advance, and a few hundred add up.
 constexpr double integrated = 1e-8;
@@ -25,8 +25,8 @@ constexpr double integrated = 1e-8;
 
 TEST_CASE("the forces of the actuators move the coordinates from where they start") {
   // x'' = -100/s^2 (x - 10 mm), phi'' = -phi'/s
-  const Loaded l = loaded(forced("start = { x = \"30 mm\" }\nstart_rate = { phi = \"0.5 rad/s\" }\n",
-                                 "q = \"-500 N/m * (q - 10 mm)\"\npsi = \"-0.02 N*m*s/rad * psi_rate\"\n"));
+  const Loaded l = loaded_text(forced("start = { x = \"30 mm\" }\nstart_rate = { phi = \"0.5 rad/s\" }\n",
+                                      "q = \"-500 N/m * (q - 10 mm)\"\npsi = \"-0.02 N*m*s/rad * psi_rate\"\n"));
   const mechanics::Trajectory& m = l.trajectory;
   const MotionRequest& asked = l.scenario.motion.value();
   CHECK(asked.by_forces());
@@ -61,8 +61,8 @@ TEST_CASE("the forces of the actuators move the coordinates from where they star
 }
 
 TEST_CASE("one force may stand for all, with the actuator's own value, rate and home: a name beside it overrides") {
-  const Loaded l =
-      loaded(forced("start = { phi = \"0.1 rad\" }\n", "all = \"-2 N*m/rad * (value - home) - 0.04 N*m*s/rad * rate\"\nq = \"1 N\"\n"));
+  const Loaded l = loaded_text(
+      forced("start = { phi = \"0.1 rad\" }\n", "all = \"-2 N*m/rad * (value - home) - 0.04 N*m*s/rad * rate\"\nq = \"1 N\"\n"));
   const mechanics::Trajectory& m = l.trajectory;
   const MotionRequest& asked = l.scenario.motion.value();
   // phi'' = -100 phi - 2 phi'
@@ -79,7 +79,7 @@ TEST_CASE("one force may stand for all, with the actuator's own value, rate and 
 
 TEST_CASE("a force may name the other actuators and the time: who is not named exerts none") {
   // phi = 0.3 rad/s t drives the slide: x'' = 0.06 t + 0.1 t^2.
-  const Loaded l = loaded(forced("start_rate = { phi = \"0.3 rad/s\" }\n", "q = \"1 N/rad * psi + 0.5 N/s^2 * t^2\"\n"));
+  const Loaded l = loaded_text(forced("start_rate = { phi = \"0.3 rad/s\" }\n", "q = \"1 N/rad * psi + 0.5 N/s^2 * t^2\"\n"));
   const mechanics::Trajectory& m = l.trajectory;
   const MotionRequest& asked = l.scenario.motion.value();
   for (Eigen::Index i = 0; i < 21; ++i) {
@@ -91,9 +91,10 @@ TEST_CASE("a force may name the other actuators and the time: who is not named e
 }
 
 TEST_CASE("load and gravity act on a motion from forces, and the load is known at any time") {
-  const Loaded l = loaded(forced("", "",
-                                 "[load]\nforce = [\"1 N\", \"0 N\", \"0 N\"]\nmoment = [\"0 N*m\", \"0 N*m\", \"10 N*mm * sin(t/1 s)\"]\n"
-                                 "gravity = [\"-0.3 m/s^2\", \"0 m/s^2\", \"-9.81 m/s^2\"]\n"));
+  const Loaded l =
+      loaded_text(forced("", "",
+                         "[load]\nforce = [\"1 N\", \"0 N\", \"0 N\"]\nmoment = [\"0 N*m\", \"0 N*m\", \"10 N*mm * sin(t/1 s)\"]\n"
+                         "gravity = [\"-0.3 m/s^2\", \"0 m/s^2\", \"-9.81 m/s^2\"]\n"));
   const Scenario& s = l.scenario;
   const mechanics::Trajectory& m = l.trajectory;
   for (Eigen::Index i = 0; i < 21; ++i) {
@@ -110,7 +111,7 @@ TEST_CASE("load and gravity act on a motion from forces, and the load is known a
 
 TEST_CASE("what ends a motion from forces is told, and allowed when the scenario says so") {
   // x = 0.6 m/s^2 t^2 reaches 500 mm at t = sqrt(5/6) s.
-  const Loaded l = loaded(forced("", "q = \"6 N\"\n"));
+  const Loaded l = loaded_text(forced("", "q = \"6 N\"\n"));
   const mechanics::Trajectory& m = l.trajectory;
   CHECK(m.ending == "ends at t = 0.912871 s: q (slide) reaches the upper end of its stroke, 500 mm");
   CHECK(m.time.size() == 21);
@@ -121,19 +122,19 @@ TEST_CASE("what ends a motion from forces is told, and allowed when the scenario
   CHECK_FALSE(m.at(0.9129, q, rate, acceleration));
   CHECK(m.work == Approx(6 * 0.6 * 0.81).epsilon(integrated));  // to the last sample with a pose, 0.9 s
 
-  const Loaded shortened = loaded(forced("until = \"limit\"\n", "q = \"6 N\"\n"));
+  const Loaded shortened = loaded_text(forced("until = \"limit\"\n", "q = \"6 N\"\n"));
   const mechanics::Trajectory& cut = shortened.trajectory;
   CHECK(cut.ending == m.ending);
   CHECK(cut.time.size() == 10);
   CHECK(cut.value.allFinite());
   CHECK(shortened.scenario.motion->end == 2);
   CHECK(shortened.scenario.motion->until_singularity);
-  const mechanics::Trajectory not_excused = loaded(forced("until = \"singularity\"\n", "q = \"6 N\"\n")).trajectory;
+  const mechanics::Trajectory not_excused = loaded_text(forced("until = \"singularity\"\n", "q = \"6 N\"\n")).trajectory;
   CHECK(not_excused.time.size() == 21);
   CHECK_THAT(told(forced("until = \"limit\"\n", "q = \"6 kN\"\n")),
              Contains("a.toml:7:2: error: the motion has no second sample: it ends at t = 0.02"));
 
-  const mechanics::Trajectory edge = loaded(forced("start_rate = { y = \"300 mm/s\" }\n", "", "", "dependent = \"phi\"")).trajectory;
+  const mechanics::Trajectory edge = loaded_text(forced("start_rate = { y = \"300 mm/s\" }\n", "", "", "dependent = \"phi\"")).trajectory;
   CHECK_THAT(edge.ending, Contains("psi (turn) reaches the upper end of its stroke, 63.0254°"));
 }
 
@@ -161,7 +162,7 @@ TEST_CASE("mistakes in the forces are told where they stand") {
   CHECK_THAT(tell("q = \"1 N / (q/1 mm)\""), Contains("a.toml:12:5: error: the force of q has no finite value at t = 0 s"));
   CHECK_THAT(tell("q = nan"), Contains("expected a finite number") && Contains("seen nan"));
   CHECK(tell("q = \"1 N * sqrt(1 - t/1 s)\"").empty());
-  CHECK_THAT(loaded(forced("", "q = \"1 N * sqrt(1 - t/1 s)\"\n")).trajectory.ending,
+  CHECK_THAT(loaded_text(forced("", "q = \"1 N * sqrt(1 - t/1 s)\"\n")).trajectory.ending,
              Contains("ends at t = 1 s: the force of q has no finite value"));
 }
 

@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <core/numbers.hpp>
 #include <tests/scenario/trial.hpp>
 
 using namespace pmreport;
@@ -8,9 +9,7 @@ using Catch::Contains;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
-std::string moving(std::string_view motion) {
+std::string moving_as(std::string_view motion) {
   return "title = \"Stage\"\n[mechanism]\nuse = \"stage\"\n[[section]]\nkind = \"displacement\"\n[motion]\n" + std::string(motion);
 }
 struct Motion : mechanics::Trajectory {
@@ -22,7 +21,7 @@ Motion motion_of(const std::string& text, const std::filesystem::path& file = "a
   return {l.trajectory, l.scenario.motion->description};
 }
 
-constexpr std::string_view points = R"(
+constexpr std::string_view points_text = R"(
 [[motion.waypoint]]
 time = "0 s"
 [[motion.waypoint]]
@@ -37,7 +36,7 @@ phi = "-90 deg"
 }  // namespace
 
 TEST_CASE("samples are spread evenly over the duration, both ends included") {
-  const Motion m = motion_of(moving("duration = \"1 min\"\nsamples = 7\nx = \"1 mm/s*t\"\n"));
+  const Motion m = motion_of(moving_as("duration = \"1 min\"\nsamples = 7\nx = \"1 mm/s*t\"\n"));
   CHECK(m.time == std::vector<double>{0, 10, 20, 30, 40, 50, 60});
   CHECK(m.value(6, 0) == Approx(0.06));
   CHECK(m.rate.rows() == 7);
@@ -57,7 +56,7 @@ TEST_CASE("a motion has its exact rates and accelerations") {
 }
 
 TEST_CASE("a quintic profile rests at its waypoints") {
-  const Motion m = motion_of(moving("profile = \"quintic\"\nsamples = 5" + std::string(points)));
+  const Motion m = motion_of(moving_as("profile = \"quintic\"\nsamples = 5" + std::string(points_text)));
   CHECK(m.time == std::vector<double>{0, 1, 2, 3, 4});
   CHECK(m.value(1, 0) == Approx(0.01));
   CHECK(m.value(4, 0) == Approx(0.01));  // left out: it stays
@@ -73,7 +72,7 @@ TEST_CASE("a quintic profile rests at its waypoints") {
 }
 
 TEST_CASE("a cubic-spline profile starts and ends at rest and passes its waypoints") {
-  const Motion m = motion_of(moving("profile = \"cubic-spline\"\nsamples = 5" + std::string(points)));
+  const Motion m = motion_of(moving_as("profile = \"cubic-spline\"\nsamples = 5" + std::string(points_text)));
   CHECK(m.value(1, 1) == Approx(pi / 2));
   CHECK(m.rate(0, 1) == Approx(0).margin(1e-14));
   CHECK(m.rate(4, 1) == Approx(0).margin(1e-14));
@@ -87,30 +86,30 @@ TEST_CASE("a spline says how it ends and how far it goes beyond its points") {
   // At rest at 0, 1 s and 2 s: flat, then up by 10 mm. The rate at the middle point is 3/4 of the slope after it, so the first piece,
   // r (t^3 - t^2), dips by 4/27 r at 2/3 s.
   const Motion m =
-      motion_of(moving("profile = \"cubic-spline\"\nsamples = 5\n[[motion.waypoint]]\ntime = \"0 s\"\n[[motion.waypoint]]\ntime = \"1 "
-                       "s\"\n[[motion.waypoint]]\ntime = \"2 s\"\nx = \"10 mm\"\n"));
+      motion_of(moving_as("profile = \"cubic-spline\"\nsamples = 5\n[[motion.waypoint]]\ntime = \"0 s\"\n[[motion.waypoint]]\ntime = \"1 "
+                          "s\"\n[[motion.waypoint]]\ntime = \"2 s\"\nx = \"10 mm\"\n"));
   CHECK(m.description ==
         "x: cubic spline through 3 waypoints, at rest at both ends, up to 1.11 mm beyond its points (at 0.6667 s)\nphi: constant");
   const Folder folder;
   folder.write("motion.csv", "t [s], x [mm], phi [deg]\n0,0,0\n1,10,1\n2,20,2\n4,40,4\n");
-  const Motion file = motion_of(moving("file = \"motion.csv\"\n"), folder.path() / "a.toml");
+  const Motion file = motion_of(moving_as("file = \"motion.csv\"\n"), folder.path() / "a.toml");
   CHECK(file.description ==
         "x: cubic spline through 4 rows of motion.csv, its outer two pieces one cubic at either end\n"
         "phi: cubic spline through 4 rows of motion.csv, its outer two pieces one cubic at either end");
 }
 
 TEST_CASE("a duration before the last waypoint cuts the motion short") {
-  const Motion m = motion_of(moving("profile = \"quintic\"\nduration = \"2 s\"\nsamples = 3" + std::string(points)));
+  const Motion m = motion_of(moving_as("profile = \"quintic\"\nduration = \"2 s\"\nsamples = 3" + std::string(points_text)));
   CHECK(m.time.back() == 2);
 }
 
 TEST_CASE("waypoints that make no motion are refused") {
   const auto tell = [](std::string_view keys, std::string_view waypoints) {
-    return told(moving(std::string(keys) + std::string(waypoints)));
+    return told(moving_as(std::string(keys) + std::string(waypoints)));
   };
   const std::string keys = "profile = \"quintic\"\nsamples = 5\n", w = "[[motion.waypoint]]\n";
-  CHECK_THAT(tell("samples = 5", points), Contains("expected the key \"profile\" in [motion]"));
-  CHECK_THAT(tell("profile = \"septic\"\nsamples = 5", points), Contains("expected \"quintic\" or \"cubic-spline\", seen \"septic\""));
+  CHECK_THAT(tell("samples = 5", points_text), Contains("expected the key \"profile\" in [motion]"));
+  CHECK_THAT(tell("profile = \"septic\"\nsamples = 5", points_text), Contains("expected \"quintic\" or \"cubic-spline\", seen \"septic\""));
   CHECK_THAT(tell(keys, w + "time = \"0 s\"\n"), Contains("expected at least two waypoints, seen one"));
   CHECK_THAT(tell(keys, w + "time = \"1 s\"\n" + w + "time = \"2 s\"\n"), Contains("expected the first waypoint at 0 s, seen 1 s"));
   CHECK_THAT(tell(keys, w + "time = \"0 s\"\n" + w + "time = \"0 s\"\n"),
@@ -118,8 +117,8 @@ TEST_CASE("waypoints that make no motion are refused") {
   CHECK_THAT(tell(keys, w + "time = \"0 s\"\n" + w + "x = \"1 mm\"\n"), Contains("expected the key \"time\" in [[motion.waypoint]]"));
   CHECK_THAT(tell(keys, w + "time = \"0 s\"\n" + w + "time = \"1 s\"\nz = \"1 mm\"\n"),
              Contains("unknown key \"z\" in [[motion.waypoint]]"));
-  CHECK_THAT(tell("x = \"1 mm\"\n" + keys, points), Contains("x is given twice: here and by the waypoints"));
-  CHECK_THAT(tell("duration = \"5 s\"\n" + keys, points), Contains("expected at most the time of the last waypoint, 4 s, seen 5 s"));
+  CHECK_THAT(tell("x = \"1 mm\"\n" + keys, points_text), Contains("x is given twice: here and by the waypoints"));
+  CHECK_THAT(tell("duration = \"5 s\"\n" + keys, points_text), Contains("expected at most the time of the last waypoint, 4 s, seen 5 s"));
   CHECK_THAT(tell(keys, "waypoint = 3\n"), Contains("write [[motion.waypoint]] with two brackets, once for each"));
   CHECK_THAT(tell("duration = \"5 s\"\n" + keys, ""), Contains("a profile leads through points, and there are none"));
 }
@@ -134,7 +133,7 @@ TEST_CASE("a motion is read from a file beside the scenario") {
   const Folder folder;
   folder.write("motion.csv", "t [s], x [mm], phi [deg]\r\n0,0,0\r\n1,10,90\r\n\r\n3,90,-90\r\n4,160,0\r\n");
   const std::filesystem::path file = folder.path() / "a.toml";
-  const Motion own = motion_of(moving("file = \"motion.csv\"\n"), file);
+  const Motion own = motion_of(moving_as("file = \"motion.csv\"\n"), file);
   CHECK(own.time == std::vector<double>{0, 1, 3, 4});
   CHECK(own.value(3, 0) == Approx(0.16));
   CHECK(own.value(1, 1) == Approx(pi / 2));
@@ -142,10 +141,10 @@ TEST_CASE("a motion is read from a file beside the scenario") {
   CHECK(own.rate(2, 0) == Approx(0.06));
   CHECK(own.acceleration(0, 0) == Approx(0.02));
 
-  const Motion even = motion_of(moving("file = \"motion.csv\"\nsamples = 9\n"), file);
+  const Motion even = motion_of(moving_as("file = \"motion.csv\"\nsamples = 9\n"), file);
   CHECK(even.time[1] == 0.5);
   CHECK(even.value(1, 0) == Approx(0.0025));
-  const Motion steps = motion_of(moving("file = \"motion.csv\"\nprofile = \"quintic\"\nsamples = 5\n"), file);
+  const Motion steps = motion_of(moving_as("file = \"motion.csv\"\nprofile = \"quintic\"\nsamples = 5\n"), file);
   CHECK(steps.rate(1, 0) == Approx(0).margin(1e-15));
   CHECK(steps.value(2, 0) == Approx(0.05));  // half way in time, half way in place
 }
@@ -155,7 +154,7 @@ TEST_CASE("a file of motion that says nothing sound is refused with its line and
   const std::filesystem::path file = folder.path() / "a.toml";
   const auto tell = [&](std::string_view table) {
     folder.write("motion.csv", table);
-    std::string out = told(moving("file = \"motion.csv\"\n"), file);
+    std::string out = told(moving_as("file = \"motion.csv\"\n"), file);
     const std::string path = folder.path().string() + "/";
     for (auto at = out.find(path); at != std::string::npos; at = out.find(path)) out.erase(at, path.size());
     return out;
@@ -185,7 +184,7 @@ TEST_CASE("a motion comes from the folder of the scenario alone") {
   std::filesystem::create_symlink(folder.path() / "inside.csv", folder.path() / "fine.csv");
   std::filesystem::create_directory(folder.path() / "sub");
   const std::filesystem::path file = folder.path() / "a.toml";
-  const auto tell = [&](const std::string& name) { return told(moving("file = '" + name + "'\n"), file); };
+  const auto tell = [&](const std::string& name) { return told(moving_as("file = '" + name + "'\n"), file); };
   CHECK(tell("inside.csv").empty());
   CHECK(tell("fine.csv").empty());
   CHECK(tell("./inside.csv").empty());
@@ -196,5 +195,5 @@ TEST_CASE("a motion comes from the folder of the scenario alone") {
   CHECK_THAT(tell("sub"), Contains("not a regular file"));
   CHECK_THAT(tell("none.csv"), Contains("there is no such file"));
   CHECK_THAT(tell(""), Contains("no name of a file"));
-  CHECK_THAT(told(moving("file = \"in\\u0000side.csv\"\n"), file), Contains("seen U+0000 as its character 3"));
+  CHECK_THAT(told(moving_as("file = \"in\\u0000side.csv\"\n"), file), Contains("seen U+0000 as its character 3"));
 }

@@ -13,11 +13,11 @@ using program::Bounds;
 
 namespace {
 
-std::string moving(const std::string& lines) {
+std::string moving_lines(const std::string& lines) {
   return "title = \"Stage\"\n[mechanism]\nuse = \"stage\"\n[[section]]\nkind = \"displacement\"\n[motion]\n" + lines + "\n";
 }
-Loaded loaded(const std::string& lines, const std::filesystem::path& file = "a.toml") {
-  const std::string text = moving(lines);
+Loaded loaded_lines(const std::string& lines, const std::filesystem::path& file = "a.toml") {
+  const std::string text = moving_lines(lines);
   INFO(told(text, file));
   return load_text(text, file, stage::source(), section::kinds());
 }
@@ -68,19 +68,19 @@ TEST_CASE("a prescribed motion is within its bounds over any span, by whatever i
   };
   for (const std::string& lines : motions) {
     CAPTURE(lines);
-    const Loaded l = loaded(lines);
+    const Loaded l = loaded_lines(lines);
     check_spans(l.trajectory.over, l.trajectory.at, l.trajectory.time.front(), l.trajectory.time.back());
     check_spans(l.scenario.motion->over, l.scenario.motion->prescribed, l.trajectory.time.front(), l.trajectory.time.back());
   }
   const Folder folder;
   folder.write("motion.csv", "t [s],x [mm]\n1,0\n2,5\n4,-3\n4.5,0\n7,1\n");
-  const Loaded l = loaded("file = \"motion.csv\"", folder.path() / "a.toml");
+  const Loaded l = loaded_lines("file = \"motion.csv\"", folder.path() / "a.toml");
   check_spans(l.trajectory.over, l.trajectory.at, 1, 7);
 }
 
 TEST_CASE("a coordinate that stays at home has bounds without width") {
   Bounded bounds[2];
-  REQUIRE(loaded(ten_seconds + "x = \"20 mm\"").trajectory.over({1, 3}, bounds));
+  REQUIRE(loaded_lines(ten_seconds + "x = \"20 mm\"").trajectory.over({1, 3}, bounds));
   CHECK(bounds[0].value == Bounds::exactly(0.02));
   CHECK(bounds[1].value == Bounds::exactly(0));
   CHECK(bounds[1].rate == Bounds::exactly(0));
@@ -88,19 +88,19 @@ TEST_CASE("a coordinate that stays at home has bounds without width") {
 }
 
 TEST_CASE("a motion that was cut off keeps the bounds of what remains") {
-  mechanics::Trajectory m = loaded(ten_seconds + "x = \"20 mm * sin(2*pi*t/10 s)\"").trajectory;
+  mechanics::Trajectory m = loaded_lines(ten_seconds + "x = \"20 mm * sin(2*pi*t/10 s)\"").trajectory;
   mechanics::cut_off(m, 11);
   check_spans(m.over, m.at, 0, m.time.back());
 }
 
 TEST_CASE("of prescribed actuators the request has bounds, and the coordinates that follow have none") {
-  const Loaded l = loaded(ten_seconds + "q = \"20 mm * sin(2*pi*t/10 s)\"\npsi = \"5 deg * t/10 s\"");
+  const Loaded l = loaded_lines(ten_seconds + "q = \"20 mm * sin(2*pi*t/10 s)\"\npsi = \"5 deg * t/10 s\"");
   check_spans(l.scenario.motion->over, l.scenario.motion->prescribed, 0, 10);
   CHECK_FALSE(l.trajectory.over);
 }
 
 TEST_CASE("where nothing is known of any coordinate a motion says so, and elsewhere of which") {
-  const Loaded l = loaded(ten_seconds + "x = \"1 mm * abs(t - 1.1 s)/(t - 1.1 s)\"");
+  const Loaded l = loaded_lines(ten_seconds + "x = \"1 mm * abs(t - 1.1 s)/(t - 1.1 s)\"");
   std::vector<Bounded> bounds(2);
   REQUIRE(l.trajectory.over({1, 2}, bounds.data()));
   CHECK_FALSE(bounds[0].value.bounded());
@@ -108,12 +108,12 @@ TEST_CASE("where nothing is known of any coordinate a motion says so, and elsewh
   REQUIRE(l.trajectory.over({2, 2.01}, bounds.data()));
   CHECK(bounds[0].value.has(0.001));
   CHECK(bounds[0].value.width() < 1e-6);  // of one that is divided by another no more is known than the first order of both
-  const Loaded both = loaded(ten_seconds + "x = \"1 mm * abs(t - 1.1 s)/(t - 1.1 s)\"\nphi = \"1 deg * abs(t - 1.2 s)/(t - 1.2 s)\"");
+  const Loaded both = loaded_lines(ten_seconds + "x = \"1 mm * abs(t - 1.1 s)/(t - 1.1 s)\"\nphi = \"1 deg * abs(t - 1.2 s)/(t - 1.2 s)\"");
   CHECK_FALSE(both.trajectory.over({1, 2}, bounds.data()));
 }
 
 TEST_CASE("the bounds of a motion are the same in all threads, from the first on") {
-  const Loaded l = loaded(ten_seconds + "x_rate = \"20 mm/s * sin(2*pi*t/3 s)\"\nphi = \"1 deg\"");
+  const Loaded l = loaded_lines(ten_seconds + "x_rate = \"20 mm/s * sin(2*pi*t/3 s)\"\nphi = \"1 deg\"");
   std::vector<double> highs(4);
   std::vector<std::thread> threads;
   for (double& high : highs)

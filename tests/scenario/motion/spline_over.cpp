@@ -11,12 +11,12 @@ using namespace enclosed;
 
 namespace {
 
-struct Points {
+struct KnotsOver {
   std::vector<double> times, values;
 };
-Points random_points(std::mt19937& generator, std::size_t count) {
+KnotsOver random_knots(std::mt19937& generator, std::size_t count) {
   std::uniform_real_distribution<double> digits(-2, 1), value(-1, 1);
-  Points p;
+  KnotsOver p;
   double t = -3;
   for (std::size_t i = 0; i < count; ++i, t += std::pow(10, digits(generator))) {
     p.times.push_back(t);
@@ -24,14 +24,14 @@ Points random_points(std::mt19937& generator, std::size_t count) {
   }
   return p;
 }
-std::size_t piece(const Points& p, Real t) {
+std::size_t piece(const KnotsOver& p, Real t) {
   std::size_t i = 0;
   while (i + 2 < p.times.size() && t >= Real(p.times[i + 1])) ++i;
   return i;
 }
 
 // Its second derivatives at the points are what the curve says there: they are stored, and given back as they are, but for the last.
-At cubic(const Points& p, const CubicSpline& curve) {
+At cubic(const KnotsOver& p, const CubicSpline& curve) {
   std::vector<double> bends;
   for (const double t : p.times) bends.push_back(curve.at(t).acceleration);
   return [p, bends](Real t) -> Jet<Real> {
@@ -42,7 +42,7 @@ At cubic(const Points& p, const CubicSpline& curve) {
     return {p.values[i] + s * (slope + s * (m / 2 + s * jerk / 6)), slope + s * (m + s * jerk / 2), m + s * jerk};
   };
 }
-At quintic(const Points& p) {
+At quintic(const KnotsOver& p) {
   return [p](Real t) -> Jet<Real> {
     const std::size_t i = piece(p, t);
     const Real h = Real(p.times[i + 1]) - p.times[i], step = Real(p.values[i + 1]) - p.values[i], u = (t - p.times[i]) / h, v = 1 - u;
@@ -57,7 +57,7 @@ Over bounds_of(const Curve& curve) {
 }
 
 // How much wider the bounds are than what the curve does, as a share of that: at its points, and many instants of every piece.
-double excess(const Bounds& b, const Points& p, const Bounds& span, const std::function<Real(Real)>& f) {
+double excess(const Bounds& b, const KnotsOver& p, const Bounds& span, const std::function<Real(Real)>& f) {
   constexpr int instants = 500;
   Real least = INFINITY, most = -INFINITY;
   for (std::size_t i = 0; i + 1 < p.times.size(); ++i) {
@@ -77,7 +77,7 @@ TEST_CASE("at every instant a curve through points is within its bounds over the
   std::mt19937 generator(seed);
   for (const std::size_t count : {2u, 3u, 4u, 5u, 9u, 40u, 300u})
     for (int repeat = 0; repeat < 5; ++repeat) {
-      const Points p = random_points(generator, count);
+      const KnotsOver p = random_knots(generator, count);
       CAPTURE(seed, count, repeat);
       const double begin = p.times.front(), end = p.times.back();
       for (const Ends ends : {Ends::at_rest, Ends::not_a_knot}) {
@@ -98,7 +98,7 @@ TEST_CASE("at every instant a curve through points is within its bounds over the
 TEST_CASE("the bounds of a curve through points are what it does, but for rounding") {
   constexpr unsigned seed = 7;
   std::mt19937 generator(seed);
-  const Points p = random_points(generator, 40);
+  const KnotsOver p = random_knots(generator, 40);
   const CubicSpline smooth(p.times, p.values, Ends::at_rest);
   const QuinticSteps steps(p.times, p.values);
   const At smooth_at = cubic(p, smooth), steps_at = quintic(p);
@@ -121,7 +121,7 @@ TEST_CASE("the bounds of a curve through points are what it does, but for roundi
 
 TEST_CASE("bounds of a curve that forget a piece are found out") {
   std::mt19937 generator(8);
-  Points p = random_points(generator, 30);
+  KnotsOver p = random_knots(generator, 30);
   const std::size_t forgotten = 13;  // in which the rate is greatest
   p.values[forgotten] = -50, p.values[forgotten + 1] = 50;
   const CubicSpline curve(p.times, p.values, Ends::at_rest);
@@ -152,7 +152,7 @@ TEST_CASE("a point of a curve has the bounds of both its pieces") {
 
 TEST_CASE("of a hundred thousand points any span is quick, and the same in all threads") {
   std::mt19937 generator(9);
-  const Points p = random_points(generator, 100000);
+  const KnotsOver p = random_knots(generator, 100000);
   const CubicSpline curve(p.times, p.values, Ends::not_a_knot);
   const double begin = p.times.front(), end = p.times.back();
   std::vector<Bounds> spans;

@@ -1,5 +1,6 @@
 // Angles in tables that come back by a turn.
 #include <catch2/catch.hpp>
+#include <core/numbers.hpp>
 #include <core/scenario/motion/unwrap.hpp>
 #include <tests/scenario/trial.hpp>
 
@@ -9,8 +10,6 @@ using namespace trial;
 using Catch::Contains;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 std::vector<double> radians(std::vector<double> degrees) {
   for (double& x : degrees) x *= pi / 180;

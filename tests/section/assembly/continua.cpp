@@ -11,8 +11,8 @@ using report_words::table_of;
 
 namespace {
 
-struct Run {
-  Run(const std::string& apart, const std::string& motion)
+struct LegsRun {
+  LegsRun(const std::string& apart, const std::string& motion)
       : loaded(scenario::load_text("title = \"Two legs\"\n[mechanism]\nuse = \"two-legs\"\nparameters = { apart = \"" + apart +
                                        "\" }\n[motion]\nduration = \"2 s\"\nsamples = 21\n" + motion + "[[section]]\nkind = \"assembly\"\n",
                                    "a.toml", test::only(test::two_legs()), section::kinds())),
@@ -30,7 +30,7 @@ struct Run {
 }  // namespace
 
 TEST_CASE("a continuum of poses is told apart from isolated modes, with its extent and two pictures") {
-  Run run("0 mm", "x = \"60 mm + 10 mm * t/1 s\"\ny = \"80 mm\"\n");
+  LegsRun run("0 mm", "x = \"60 mm + 10 mm * t/1 s\"\ny = \"80 mm\"\n");
   const section::Result r = run.assembly();
   CHECK(gantry::value(r, "modes") == 0);
   CHECK(gantry::value(r, "continua") == 1);
@@ -55,7 +55,7 @@ TEST_CASE("a continuum of poses is told apart from isolated modes, with its exte
 }
 
 TEST_CASE("a mode in which two have met is told as double") {
-  Run run("300 mm", "x = \"120 mm\"\ny = \"100 mm * t/1 s\"\n");
+  LegsRun run("300 mm", "x = \"120 mm\"\ny = \"100 mm * t/1 s\"\n");
   const section::Result r = run.assembly();
   CHECK(gantry::value(r, "modes") == 1);
   CHECK(gantry::value(r, "continua") == 0);
@@ -65,7 +65,7 @@ TEST_CASE("a mode in which two have met is told as double") {
 
 TEST_CASE("modes that meet along the motion are told with their time") {
   // Through the line between the feet at 0.8 s: there the mirrored mode meets that of the mechanism, and parts from it again.
-  Run run("300 mm", "x = \"120 mm\"\ny = \"100 mm * (0.8 - t/1 s)\"\n");
+  LegsRun run("300 mm", "x = \"120 mm\"\ny = \"100 mm * (0.8 - t/1 s)\"\n");
   const section::Result r = run.assembly();
   CHECK(gantry::value(r, "modes") == 2);
   const document::Table& events = table_of(r.section, "Assembly modes that come into being or vanish");

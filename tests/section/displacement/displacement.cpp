@@ -1,11 +1,11 @@
 // Section `displacement` on the stage: x of the carriage and the turn phi of the table, or the feeler's height y = r sin(phi), r = 200 mm.
 #include <catch2/catch.hpp>
 
+#include <core/numbers.hpp>
 #include <tests/section/report_words.hpp>
 #include <tests/section/whole_report.hpp>
 
 #include <cmath>
-#include <numbers>
 
 using namespace pmreport;
 using namespace whole_report;
@@ -14,7 +14,6 @@ using report_words::check_proofs, report_words::row_of, report_words::text_of;
 
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 const std::string asked = asking_for({"displacement"});
 // x from 0 to 200 mm, phi from 0 to 30 degrees.
 const std::string steady = "x = \"100 mm * t / 1 s\"\nphi = \"15 deg * t / 1 s\"\n";

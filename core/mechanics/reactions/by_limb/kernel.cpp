@@ -7,25 +7,25 @@ namespace pmreport::mechanics {
 
 namespace {
 
-using Plan = DynamicsPlan;
-
 template <class T>
-PMREPORT_INLINE void solve_all(const Plan& plan, const DynamicsBatch& batch, double* memory) {
+PMREPORT_INLINE void solve_all(const DynamicsPlan& plan, const DynamicsBatch& batch, double* memory) {
   const Desk<T> desk(plan, memory);
   for (std::size_t k = 0; k < batch.written; k += T::width) LimbSolver<T>(plan, batch, desk, k).solve();
 }
 
-[[gnu::flatten]] void solve_single(const Plan& plan, const DynamicsBatch& batch, double* memory) {
+[[gnu::flatten]] void solve_single(const DynamicsPlan& plan, const DynamicsBatch& batch, double* memory) {
   solve_all<Pack<1>>(plan, batch, memory);
 }
 
-[[gnu::flatten]] void solve_plain(const Plan& plan, const DynamicsBatch& batch, double* memory) { solve_all<Pack<2>>(plan, batch, memory); }
+[[gnu::flatten]] void solve_plain(const DynamicsPlan& plan, const DynamicsBatch& batch, double* memory) {
+  solve_all<Pack<2>>(plan, batch, memory);
+}
 
 #if defined(__x86_64__)
-[[gnu::flatten, gnu::target("arch=x86-64-v3")]] void solve_v3(const Plan& plan, const DynamicsBatch& batch, double* memory) {
+[[gnu::flatten, gnu::target("arch=x86-64-v3")]] void solve_v3(const DynamicsPlan& plan, const DynamicsBatch& batch, double* memory) {
   solve_all<Pack<4>>(plan, batch, memory);
 }
-[[gnu::flatten, gnu::target("arch=x86-64-v4")]] void solve_v4(const Plan& plan, const DynamicsBatch& batch, double* memory) {
+[[gnu::flatten, gnu::target("arch=x86-64-v4")]] void solve_v4(const DynamicsPlan& plan, const DynamicsBatch& batch, double* memory) {
   solve_all<Pack<8>>(plan, batch, memory);
 }
 #endif
@@ -50,7 +50,7 @@ std::size_t DynamicsKernel::memory(const DynamicsPlan& plan) const { return Desk
 std::vector<double> equation_sizes(const DynamicsPlan& plan, const double* placement) {
   std::vector<double> memory(Desk<Pack<1>>(plan, nullptr).numbers), out;
   int equations = 0;
-  for (const Plan::Group& g : plan.groups) equations += g.equations;
+  for (const DynamicsPlan::Group& g : plan.groups) equations += g.equations;
   out.resize(static_cast<std::size_t>(equations));
   DynamicsBatch batch;
   batch.placement = placement;

@@ -29,7 +29,7 @@ Subject subject_of(const LimitBreach& b) {
   return out;
 }
 
-struct Group {  // of breaches that are told in one sentence, the worst first
+struct LimitGroup {  // of breaches that are told in one sentence, the worst first
   std::vector<LimitBreach> all;
   std::vector<std::string> names;  // each once
   std::set<int> samples;
@@ -44,23 +44,23 @@ bool alike(const LimitBreach& x, const LimitBreach& y) {
 
 // `badness`: how far beyond its limit a breach goes, comparable among all. The worst group comes first.
 template <class Badness>
-std::vector<Group> grouped(const std::vector<LimitBreach>& breaches, Badness&& badness) {
-  std::vector<Group> out;
+std::vector<LimitGroup> grouped(const std::vector<LimitBreach>& breaches, Badness&& badness) {
+  std::vector<LimitGroup> out;
   for (const LimitBreach& b : breaches) {
-    auto group = std::find_if(out.begin(), out.end(), [&](const Group& g) { return alike(g.all.front(), b); });
-    if (group == out.end()) group = out.insert(out.end(), Group{});
+    auto group = std::find_if(out.begin(), out.end(), [&](const LimitGroup& g) { return alike(g.all.front(), b); });
+    if (group == out.end()) group = out.insert(out.end(), LimitGroup{});
     group->all.push_back(b);
     if (const std::string name = subject_of(b).name; std::find(group->names.begin(), group->names.end(), name) == group->names.end())
       group->names.push_back(name);
     group->samples.insert(b.samples.begin(), b.samples.end());
   }
   const auto worse = [&](const LimitBreach& x, const LimitBreach& y) { return badness(x) > badness(y); };
-  for (Group& g : out) std::stable_sort(g.all.begin(), g.all.end(), worse);
-  std::stable_sort(out.begin(), out.end(), [&](const Group& x, const Group& y) { return worse(x.all.front(), y.all.front()); });
+  for (LimitGroup& g : out) std::stable_sort(g.all.begin(), g.all.end(), worse);
+  std::stable_sort(out.begin(), out.end(), [&](const LimitGroup& x, const LimitGroup& y) { return worse(x.all.front(), y.all.front()); });
   return out;
 }
 
-std::string where(const Analysis& a, const Group& g) {
+std::string where(const Analysis& a, const LimitGroup& g) {
   return fmt::format("at {} of {} samples, {}; worst is {} at t = {}", g.samples.size(), a.samples(),
                      span_of(a, *g.samples.begin(), *g.samples.rbegin()), subject_of(g.all.front()).name,
                      show_time(a, g.all.front().worst));
@@ -77,9 +77,9 @@ std::string how_often(const Analysis& a, const LimitBreach& b) {
 
 // One sentence a group; where it is of one name alone, one a breach.
 template <class Many, class One>
-std::vector<std::string> sentences(const std::vector<Group>& groups, Many&& many, One&& one) {
+std::vector<std::string> sentences(const std::vector<LimitGroup>& groups, Many&& many, One&& one) {
   std::vector<std::string> out;
-  for (const Group& g : groups)
+  for (const LimitGroup& g : groups)
     if (g.names.size() > 1)
       out.push_back(many(g));
     else
@@ -88,7 +88,7 @@ std::vector<std::string> sentences(const std::vector<Group>& groups, Many&& many
 }
 
 std::vector<std::string> of_limits(const Analysis& a, const std::vector<LimitBreach>& breaches) {
-  const auto many = [&](const Group& g) {
+  const auto many = [&](const LimitGroup& g) {
     const LimitBreach& worst = g.all.front();
     const Subject s = subject_of(worst);
     const Apart told = show_apart(worst.value, worst.limit, worst.unit);
@@ -110,7 +110,7 @@ std::string sentence(const Analysis& a, const LimitBreach& b) {
 // Lengths beyond a stroke are compared with the machine's length, angles as they are.
 std::vector<std::string> breach_sentences(const Analysis& a) {
   const auto badness = [&](const LimitBreach& b) { return std::abs(b.value - b.limit) / (b.unit == "m" ? a.length() : 1); };
-  const auto many = [&](const Group& g) {
+  const auto many = [&](const LimitGroup& g) {
     const LimitBreach& worst = g.all.front();
     const Apart told = show_apart(worst.value, worst.limit, worst.unit);
     return fmt::format("{}{} leave their {} {}: it needs {}, {}.", worst.stroke ? "" : "Joints ", names_of(g.names),

@@ -21,16 +21,15 @@ using State = ProvedClaim::State;
 
 namespace {
 
-constexpr std::size_t few = 3;  // of a sort are told one by one
 constexpr std::array kinds{About::assembled, About::stroke, About::joint_limit, About::regular};
 
 std::string time_words(double t) { return format_number(t, 6) + " s"; }
 
 // "a, b and c"; of many the first few, how many more, and the last.
 std::string some(const std::vector<std::string>& pieces) {
-  if (pieces.size() <= few) return listed(pieces);
-  const std::vector<std::string> first(pieces.begin(), pieces.begin() + few);
-  return fmt::format("{} and {} more times, the last {}", fmt::join(first, ", "), pieces.size() - few, pieces.back());
+  if (pieces.size() <= told_one_by_one) return listed(pieces);
+  const std::vector<std::string> first(pieces.begin(), pieces.begin() + told_one_by_one);
+  return fmt::format("{} and {} more times, the last {}", fmt::join(first, ", "), pieces.size() - told_one_by_one, pieces.back());
 }
 
 std::string stretch_words(const ProvedClaim::Broken& b) {

@@ -15,7 +15,6 @@ using What = analysis::Crossing::What;
 
 namespace {
 
-constexpr std::size_t few = 3;  // of a sort are told one by one
 // From this condition number of the unit wrenches on the platform on, a load asks for forces out of all proportion, and a report says so.
 constexpr double poor_hold = 1000;
 // Of home's hold of all bodies: from here on the same.
@@ -126,12 +125,12 @@ std::vector<std::string> singularity_sentences(const Analysis& a) {
   }
   std::vector<std::string> out;
   for (const std::vector<Crossing>& all : alike)
-    if (all.size() > few)
+    if (all.size() > told_one_by_one)
       out.push_back(many(all));
     else
       for (const Crossing& c : all) out.push_back(sentence(a, c));
   const std::vector<SampleRun> runs = singular_runs(a);
-  if (runs.size() > few) {
+  if (runs.size() > told_one_by_one) {
     int samples = 0;
     for (const SampleRun& run : runs) samples += run.last - run.first + 1;
     out.push_back(

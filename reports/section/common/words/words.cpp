@@ -136,8 +136,6 @@ std::string names_of(std::vector<std::string> names) {
 
 namespace {
 
-constexpr std::size_t few = 3;  // of a sort are told one by one
-
 std::string reach_sentence(const Analysis& a, const SampleRun& run) {
   return fmt::format("{}: the mechanism cannot be assembled ({}): {}.", span_of(a, run.first, run.last),
                      plural(run.last - run.first + 1, "sample"), a.why(run.first));
@@ -162,7 +160,7 @@ std::vector<std::string> reach_sentences(const Analysis& a) {
                                 span_of(a, i.first, i.last)));
     else
       apart.push_back(i);
-  if (apart.size() > few) {
+  if (apart.size() > told_one_by_one) {
     out.push_back(many_runs(a, apart));
     return out;
   }

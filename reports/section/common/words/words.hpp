@@ -35,6 +35,7 @@ std::string typeset(std::string number);
 std::string typographic(std::string_view unit);
 std::string plural(int n, const std::string& singular, const std::string& many = "");  // "1 sample", "12 samples"
 
+inline constexpr std::size_t told_one_by_one = 3;  // of a sort; of more the first, and how many more
 // "t = 0.3 s", "t = 0.3 s to 0.42 s": from one sample to another.
 std::string span_of(const Analysis& a, int first, int last);
 // "l1 to l6", "A1, A3 and B2": in order, those that count on told by their ends.
