@@ -109,7 +109,8 @@ std::string to_html(const Comparison& c, const std::string& version) {
   const std::vector<std::string> no_drawings;
   Page page{no_report, no_names, no_drawings};
   HtmlWriter& html = page.html;
-  write_frame(html, "Comparison of reports", "pmreport " + version, {document::html_style, document::html_theme, narrow_style}, [&] {
+  const document::PageHead head{"Comparison of reports", "pmreport " + version, "What reports agree on, and where they differ"};
+  write_frame(html, head, {document::html_style, document::html_theme, narrow_style}, [&] {
     write_contents(html, parts, !figures.empty());
     html.element("main", [&] {
       html.element("header", [&] { html.element("h1", "Comparison of reports"); });

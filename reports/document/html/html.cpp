@@ -186,8 +186,9 @@ void write_provenance(Page& page) {
 std::string to_html(const Report& r, const Names& names, const std::vector<std::string>& drawings) {
   Page page{r, names, drawings};
   HtmlWriter& html = page.html;
-  const std::string maker = r.provenance.program + " " + r.provenance.version;
-  write_frame(html, r.title, maker, {html_style, html_theme, html_view_style}, [&] {
+  const PageHead head{r.title, r.provenance.program + " " + r.provenance.version,
+                      r.description.empty() ? r.mechanism_title : r.description};
+  write_frame(html, head, {html_style, html_theme, html_view_style}, [&] {
     write_contents(page);
     html.element("main", [&] {
       write_header(page);

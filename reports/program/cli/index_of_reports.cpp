@@ -144,7 +144,8 @@ std::string index_html(const std::vector<Outcome>& outcomes) {
   std::vector<Outcome> ordered = outcomes;
   std::ranges::stable_partition(ordered, [](const Outcome& o) { return o.status != 0; });
   HtmlWriter html;
-  write_frame(html, "Reports: " + tally_of(outcomes), generator, {style}, [&] {
+  const document::PageHead head{"Reports: " + tally_of(outcomes), generator, "Reports of several scenarios, those that did not pass first"};
+  write_frame(html, head, {style}, [&] {
     html.element("main", [&] {
       html.element("h1", "Reports");
       html.element("p", tally_of(outcomes));

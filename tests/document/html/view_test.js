@@ -1,9 +1,9 @@
-// The functions of view.js and view_controls.js that need no page, run by Node: node --test view_test.js
+// The functions of view.js, view_words.js and view_controls.js that need no page, run by Node: node --test view_test.js
 const assert = require("node:assert/strict"), fs = require("node:fs"), path = require("node:path"), test = require("node:test"), vm = require("node:vm"), zlib = require("node:zlib");
 
 // As in the page: one script, whose parts see each other's names.
 const folder = path.join(__dirname, "../../../reports/document/html");
-vm.runInThisContext(["live.js", "view.js", "view_controls.js", "report.js"].map((name) => fs.readFileSync(path.join(folder, name), "utf8")).join("\n"));
+vm.runInThisContext(["live.js", "view.js", "view_words.js", "view_controls.js", "report.js"].map((name) => fs.readFileSync(path.join(folder, name), "utf8")).join("\n"));
 
 const near = (a, b, margin = 1e-9) => {
   assert.equal(a.length, b.length);
