@@ -46,8 +46,12 @@ TEST_CASE("the report is whole in itself: nothing is fetched from elsewhere") {
   const Workshop here;
   REQUIRE(here.report(small).status == 0);
   const std::string html = bytes_of(here.report_folder() / "report.html");
-  for (const char* fetched : {"src=\"http", "href=\"http", "@import", "<script src", "<link "}) {
+  for (const char* fetched : {"src=\"http", "href=\"http", "@import", "<script src"}) {
     INFO(fetched);
     CHECK(html.find(fetched) == std::string::npos);
   }
+  // Its icon is in the page.
+  const std::size_t link = html.find("<link ");
+  CHECK(link == html.find("<link rel=\"icon\" href=\"data:"));
+  CHECK(html.find("<link ", link + 1) == std::string::npos);
 }
