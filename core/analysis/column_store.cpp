@@ -7,8 +7,6 @@
 
 namespace pmreport::analysis {
 
-namespace {}
-
 void ColumnStore::add(const ColumnId& id, std::size_t samples) { columns_[id].assign(samples, nan); }
 
 std::vector<double> ColumnStore::release(const ColumnId& id) {

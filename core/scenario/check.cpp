@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cctype>
 #include <core/scenario/measured_part.hpp>
 #include <core/text/text.hpp>
 
@@ -36,17 +35,6 @@ void read_equality(const Bounds& b, const Dimension& dimension, Check& check, co
   check.within = within.value_or(0);
   if (within && (*within < 0 || (*within == 0 && !check.count)))
     reader.diagnostics().add(b.within->value.place, fmt::format("expected a distance above 0, seen {}", in_quotes(b.within->value.text)));
-}
-
-// The unit at the end of a bound: "rad/s" of "2*pi rad/s". Empty where there is none of the whole, as of "10 m / 4 s".
-std::string unit_at_end(std::string_view bound, const Dimension& dimension) {
-  const auto of_word = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
-  for (std::size_t i = 0; i < bound.size(); ++i) {
-    if (i > 0 && of_word(bound[i - 1])) continue;
-    const auto unit = parse_unit(bound.substr(i));
-    if (unit && !unit->symbol.empty() && unit->dimension == dimension) return unit->symbol;
-  }
-  return {};
 }
 
 }  // namespace

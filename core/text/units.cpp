@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <core/text/units.hpp>
@@ -202,6 +203,16 @@ std::optional<Unit> parse_unit(std::string_view text) {
     sign = rest[end] == '*' ? 1 : -1;
     rest.remove_prefix(end + 1);
   }
+}
+
+std::string unit_at_end(std::string_view quantity, const Dimension& dimension) {
+  const auto of_word = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  for (std::size_t i = 0; i < quantity.size(); ++i) {
+    if (i > 0 && of_word(quantity[i - 1])) continue;
+    const auto unit = parse_unit(quantity.substr(i));
+    if (unit && unit->dimension == dimension && !unit->symbol.empty() && unit->symbol != "1") return unit->symbol;
+  }
+  return {};
 }
 
 std::string unknown_unit_in(std::string_view text) {

@@ -30,6 +30,8 @@ struct Unit {
 
 // Parses a unit, "mm", "N*m", "kg*m^2", "m/s^2", "" (a plain number); nothing when it is none. SI prefixes are those of the table alone.
 std::optional<Unit> parse_unit(std::string_view text);
+// The unit at the end of a quantity: "rad/s" of "2*pi rad/s". Empty where there is none of the whole, as of "10 m / 4 s".
+std::string unit_at_end(std::string_view quantity, const Dimension& dimension);
 // Of what is no unit, the first symbol that the table does not have: "furlong" of "N*furlong"; empty when it is wrong in another way.
 std::string unknown_unit_in(std::string_view text);
 std::vector<std::string> unit_symbols();     // the table, for "did you mean"

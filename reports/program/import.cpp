@@ -77,6 +77,7 @@ int import_settings(const Options& options) {
   Draft draft{*loaded.machine};
   draft.title = made.title;
   draft.comments = comments_of(made);
+  draft.length_unit = made.unit;
   draft.parameters = made.parameters;
   draft.tables = made.tables;
   draft.kinds = {"mechanism", "snapshots", "displacement", "velocity", "statics"};

@@ -5,23 +5,22 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <optional>
 
 namespace pmreport::section {
 
 namespace {
 
-std::optional<DisplayUnit> own_unit(const scenario::Check& c) {
-  const auto unit = parse_unit(c.written_in);
-  if (!unit || c.written_in.empty()) return std::nullopt;
-  return DisplayUnit{typographic(c.written_in), 1 / unit->factor};
-}
-
-DisplayUnit unit_of(const scenario::Check& c, double size) { return own_unit(c).value_or(display_unit(c.unit, size)); }
+DisplayUnit unit_of(const scenario::Check& c, double size) { return unit_written(c.written_in).value_or(display_unit(c.unit, size)); }
 
 double size_of(const Bounds& b) { return std::max(std::abs(b.low), std::abs(b.high)); }
 
 }  // namespace
+
+std::optional<DisplayUnit> unit_written(const std::string& written_in) {
+  const auto unit = parse_unit(written_in);
+  if (!unit || written_in.empty()) return std::nullopt;
+  return DisplayUnit{typographic(written_in), 1 / unit->factor};
+}
 
 std::string written(double bound, const scenario::Check& c) {
   constexpr int usual = 6, most = 12;
@@ -39,7 +38,7 @@ Apart measured_words(double value, double bound, const scenario::Check& c) {
 std::string known_words(const Bounds& b, const scenario::Check& c) { return bracket(b, unit_of(c, size_of(b))); }
 
 std::string bounds_words(const Bounds& b, const scenario::Check& c) {
-  const std::optional<DisplayUnit> own = own_unit(c);
+  const std::optional<DisplayUnit> own = unit_written(c.written_in);
   return own ? show_bracket({b.low * own->per_si, b.high * own->per_si}, c.written_in) : show_bracket(b, c.unit);
 }
 

@@ -5,10 +5,13 @@
 #include <reports/section/common/words/brackets.hpp>
 #include <reports/section/common/words/words.hpp>
 
+#include <optional>
 #include <string>
 
 namespace pmreport::section {
 
+// The unit that an author wrote, to show numbers in; nothing where none was written.
+std::optional<DisplayUnit> unit_written(const std::string& written_in);
 // A bound [SI] as it was written, to the last digit that says something.
 std::string written(double bound, const scenario::Check& c);
 // What was measured and a bound beside it [SI].

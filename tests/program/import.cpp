@@ -179,8 +179,10 @@ TEST_CASE("a hexapod of LinuxCNC has LinuxCNC's strut lengths, in mm and in inch
     }
   const std::array<double, 6> home = pose_of(data, 0, metres), asked{5, -4, 420, 3, -5, 8};
   for (std::size_t k = 0; k < 6; ++k) CHECK(std::abs(home[k] - asked[k]) < (k < 3 ? 1e-3 : 1e-4));  // home in the motion has six digits
-  CHECK_THAT(made.out, Contains("stroke_min = \"250 " + std::string(metres > 0.01 ? "in" : "mm") + "\"") &&
-                           Contains("stroke_max = \"690 ") && Contains("which differ, the strictest") && Contains("rho6 = \"500 "));
+  const std::string own = metres > 0.01 ? "in" : "mm";
+  CHECK_THAT(made.out, Contains("x = \"5 " + own + " + ") && Contains("y = \"-4 " + own + " + ") && Contains("z = \"420 " + own + " + "));
+  CHECK_THAT(made.out, Contains("stroke_min = \"250 " + own + "\"") && Contains("stroke_max = \"690 ") &&
+                           Contains("which differ, the strictest") && Contains("rho6 = \"500 "));
   CHECK_THAT(made.out, Contains("# not taken over: bench.hal:42: genhexkins.limit-iterations 100\n") &&
                            Contains("# not taken over: bench.ini:8: HALFILE io.hal was not given") && Contains("1 addf and 2 loadrt"));
 }

@@ -111,6 +111,18 @@ TEST_CASE("a dimension is called by its name in the field") {
   CHECK(name_of({0, -1, 0, 0}) == "1/kg");
 }
 
+TEST_CASE("a quantity's own unit is that at its end, where it is one of the whole") {
+  const Dimension length = parse_unit("m")->dimension, speed = parse_unit("m/s")->dimension, turning = parse_unit("rad/s")->dimension;
+  CHECK(unit_at_end("12.5 mm", length) == "mm");
+  CHECK(unit_at_end("1e-3m", length) == "m");
+  CHECK(unit_at_end("2*pi rad/s", turning) == "rad/s");
+  CHECK(unit_at_end("10 m / 4 s", speed).empty());
+  CHECK(unit_at_end("3 mm + 2", length).empty());
+  CHECK(unit_at_end("12.5 mm", speed).empty());
+  CHECK(unit_at_end("151", Dimension{}).empty());
+  CHECK(unit_at_end("15.1 %", Dimension{}) == "%");
+}
+
 TEST_CASE("an angle is not a plain number") { CHECK(parse_unit("rad")->dimension != parse_unit("")->dimension); }
 
 TEST_CASE("a quantity is shown in the unit that reads best") {

@@ -6,8 +6,6 @@
 
 namespace pmreport::analysis {
 
-namespace {}
-
 double given_against_found(const Analysis& a) {
   const std::vector<Actuator>& actuators = a.machine().topology().actuators;
   std::vector<mechanics::Scalar> x(actuators.size());

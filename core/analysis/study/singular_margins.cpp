@@ -9,8 +9,6 @@
 
 namespace pmreport::analysis {
 
-namespace {}
-
 AlongMotion along_motion(const Analysis& a, double length) {
   const auto n = static_cast<std::size_t>(a.samples());
   AlongMotion out{std::vector<double>(n, nan), std::vector<double>(n, nan), std::vector<double>(n, nan)};

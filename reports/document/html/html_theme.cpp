@@ -42,6 +42,8 @@ button:focus-visible, input:focus-visible { outline: 2px solid var(--link); outl
 .curve-button[aria-pressed="false"] { color: var(--quiet); border-style: dashed; text-decoration: line-through; }
 .curve-button[aria-pressed="false"] .swatch { opacity: .35; }
 .curve-button .value { min-width: 4.4em; text-align: right; }
+.readings { font-size: .95em; border-collapse: collapse; font-variant-numeric: tabular-nums; } .readings th, .readings td { padding: .1rem .7rem .1rem 0; }
+.readings thead th { color: var(--quiet); font-weight: 400; }
 .plot svg.swatch { display: inline; flex: none; width: 22px; min-width: 0; height: 8px; background: #fff; border-radius: 2px; }
 .drawing .curve.hidden, .cursor-dot.hidden { display: none; } .drawing .key.hidden { opacity: .3; }
 .cursor { pointer-events: none; display: none; } .has-cursor .cursor { display: inline; }

@@ -171,7 +171,7 @@ function makeCurve(series, panel, drawn, frame, lists) {
     dot.setAttribute("cx", across(frame, time).toFixed(2));
     dot.setAttribute("cy", down(frame, y).toFixed(2));
   };
-  return { button, key, dot, toggle, move };
+  return { button, key, dot, value, toggle, move };
 }
 
 // The panel of a plot with its row of curves, and its cursor where it is against time. Null where there is nothing to do.
@@ -192,7 +192,16 @@ function makePanel(panel, drawn, lists) {
     for (const end of ["x1", "x2"]) line.setAttribute(end, across(frame, inside ? time : frame.xLow).toFixed(2));
     for (const curve of curves) curve.move(time);
   };
-  return { frame, curves, row, cursor, move, time: panel.time };
+  return { frame, curves, row, cursor, move, time: panel.time, unit: panel.unit };
+}
+
+// Of small multiples: what their curves come to at the time, in rows and columns as they are drawn. They have one curve each, none to hide.
+function makeReadings({ rows, columns }, panels) {
+  const titled = columns.map((name, c) => name + (panels[c].unit ? " [" + panels[c].unit + "]" : ""));
+  return element("table", { class: "readings" }, element("caption", { class: "unseen" }, "Values at the time"),
+    element("thead", {}, element("tr", {}, ...["Actuator", ...titled].map((name, c) => element("th", c > 0 ? { scope: "col", class: "number" } : { scope: "col" }, name)))),
+    element("tbody", {}, ...rows.map((name, r) => element("tr", {}, element("th", { scope: "row" }, name),
+      ...columns.map((_, c) => element("td", { class: "number" }, panels[r * columns.length + c].curves[0].value))))));
 }
 
 // The time of all plots, and what follows it: one move a frame of the screen, however fast the pointer.
@@ -257,7 +266,8 @@ function playable(figure) {
     clock.followers.push(follow);
     drawing.append(...timed.map((panel) => panel.cursor));
   }
-  box.append(...panels.map((panel) => panel.row));
+  if (data.rows && timed.length === data.rows.length * data.columns.length) box.append(makeReadings(data, timed));
+  else box.append(...panels.map((panel) => panel.row));
   figure.querySelector("figcaption").before(box);
 
   const placeOf = (event) => new DOMPoint(event.clientX, event.clientY).matrixTransform(drawing.getScreenCTM().inverse());

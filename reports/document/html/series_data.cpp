@@ -130,8 +130,8 @@ std::string series_data(const figure::Figure& figure) {
   bool any = false;
   for (std::size_t p = 0; p < drawn.panels.size(); ++p) {
     const Panel& panel = drawn.panels[p];
-    const bool time = panel.x.label == "time" && panel.x.unit == "s";
-    const std::string letter = drawn.panels.size() > 1 ? "(" + figure::panel_letter(p) + ")" : "";
+    const bool time = (panel.x.label == "time" || panel.x.label == "t") && panel.x.unit == "s";
+    const std::string letter = drawn.panels.size() > 1 && !drawn.multiples ? "(" + figure::panel_letter(p) + ")" : "";
     const figure::Interval axis = figure::y_range(panel);
     const Steps steps{axis.low, (axis.high - axis.low) / steps_of_axis};
     std::string series;
@@ -159,7 +159,9 @@ std::string series_data(const figure::Figure& figure) {
   if (!any) return "";
   std::string x;
   for (const std::string& one : lists) x.append(x.empty() ? "" : ",").append(one);
-  return "{\"x\":[" + x + "],\n\"panels\":[" + panels + "]}";
+  const std::string table =
+      drawn.multiples ? ",\n\"rows\":" + rows(drawn.multiples->rows) + ",\"columns\":" + rows(drawn.multiples->columns) : "";
+  return "{\"x\":[" + x + "],\n\"panels\":[" + panels + "]" + table + "}";
 }
 
 }  // namespace pmreport::document

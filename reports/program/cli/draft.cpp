@@ -40,8 +40,8 @@ double round_below(double x) {
 // Of the coordinates in turn: to and fro, out and back, to and fro twice; so that what they make together is no line.
 constexpr const char* ways[] = {"sin(2*pi*t/{0})", "(1 - cos(2*pi*t/{0})) / 2", "sin(4*pi*t/{0})"};
 
-std::string motion_of(const Coordinate& c, std::size_t number, double share) {
-  const std::string unit = display_unit_of(c.unit);
+std::string motion_of(const Coordinate& c, const std::string& length_unit, std::size_t number, double share) {
+  const std::string unit = c.unit == "m" && !length_unit.empty() ? length_unit : display_unit_of(c.unit);
   const double factor = parse_unit(unit).value_or(Unit{}).factor;
   const double up = c.box.max - c.home, down = c.home - c.box.min;
   // Where home lies at an end of the box there is one side to go to, and out and back goes there alone.
@@ -80,7 +80,7 @@ std::string text_of(const Attempt& a) {
   out += fmt::format("title = {}\n\n[mechanism]\nuse = {}\n", toml_string(a.draft.title), toml_string(a.draft.machine.info().name));
   if (!a.draft.parameters.empty()) out += "\n[mechanism.parameters]\n" + a.draft.parameters;
   out += fmt::format("\n[motion]\nduration = \"{}\"\nsamples = 161\n", period);
-  for (std::size_t i = 0; i < t.coordinates.size(); ++i) out += motion_of(t.coordinates[i], i, a.share) + "\n";
+  for (std::size_t i = 0; i < t.coordinates.size(); ++i) out += motion_of(t.coordinates[i], a.draft.length_unit, i, a.share) + "\n";
   out += fmt::format(
       "\n[load]  # on the platform at its reference point, in base axes\n"
       "force = [\"0 N\", \"0 N\", {}]\nmoment = [\"0 N*m\", \"0 N*m\", \"0 N*m\"]\n",

@@ -16,6 +16,7 @@ struct Draft {
   std::string title = {};
   std::string comments = {};            // before all else, lines of "# ..."
   std::string parameters = {};          // lines of [mechanism.parameters]; empty: no such table
+  std::string length_unit = {};         // of lengths in the motion; empty: that in which the program shows them
   std::string push = "-50 N";           // along Z on the platform
   std::string tables = {};              // that stand before the sections
   std::vector<std::string> kinds = {};  // of the sections

@@ -1,5 +1,6 @@
 // Section `comparison`: numbers of this report against published ones.
 #include <reports/document/quantity.hpp>
+#include <reports/section/check_words.hpp>
 #include <reports/section/checks.hpp>
 #include <reports/section/common/words/words.hpp>
 #include <reports/section/comparison/comparison.hpp>
@@ -17,7 +18,7 @@ namespace {
 
 enum class Verdict { reproduces, differs, no_value };
 
-// A row that is judged. Its numbers share one unit: that in which the published one reads best.
+// A row that is judged. Its numbers share one unit: that of the published one as it is written, else that in which it reads best.
 struct Judged {
   const ComparisonRow* row;
   double here;
@@ -45,7 +46,7 @@ Judged judge(const Analysis& a, const ComparisonRow& row, const std::vector<docu
                           : std::abs(here - row.published) <= row.tolerance + slack ? Verdict::reproduces
                                                                                     : Verdict::differs;
   const double size = row.published != 0 ? row.published : std::isfinite(here) ? here : 0;
-  return {&row, here, verdict, display_unit(row.here.unit, std::abs(size))};
+  return {&row, here, verdict, unit_written(row.written_in).value_or(display_unit(row.here.unit, std::abs(size)))};
 }
 
 std::string word_of(Verdict v) {

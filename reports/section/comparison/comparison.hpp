@@ -11,6 +11,7 @@ struct ComparisonRow {
   std::string what;
   scenario::Measured here;
   double published = 0, tolerance = 0;  // SI
+  std::string written_in;               // the unit of the published value, as its author has it; empty: none
   std::string source, note;             // may be empty
   int line = 0;
 };

@@ -34,7 +34,10 @@ std::vector<ComparisonRow> read_rows(const scenario::Entry& rows, const scenario
     if (!measured || !judged(*measured)) continue;
     row.here = std::move(*measured);
     const Dimension dimension = parse_unit(row.here.unit).value_or(Unit{}).dimension;
-    if (paper != nullptr) row.published = reader.quantity(paper->value, dimension).value_or(0);
+    if (paper != nullptr) {
+      row.published = reader.quantity(paper->value, dimension).value_or(0);
+      if (paper->value.kind == scenario::Value::Kind::text) row.written_in = unit_at_end(paper->value.text, dimension);
+    }
     if (tolerance != nullptr) {
       row.tolerance = reader.quantity(tolerance->value, dimension).value_or(0);
       if (row.tolerance < 0) reader.diagnostics().add(tolerance->value.place, "expected a tolerance of 0 or above");

@@ -67,6 +67,23 @@ double between(const std::vector<double>& x, const std::vector<double>& y, doubl
 
 }  // namespace
 
+TEST_CASE("small multiples have the time of all plots, and the names of their rows and columns for what is read at it") {
+  figure::Figure f = figure_of({against_time({wave(21)}), against_time({wave(21)})});
+  for (figure::Panel& p : f.panels) p.x = {"t", "s"}, p.title = "a title";
+  f.multiples = figure::Multiples{{"l₁"}, {"length", "<speed>"}};
+  const std::string text = series_data(f);
+  CHECK_FALSE(contains(text, "<"));
+  const json data = json::parse(text);
+  CHECK(data["rows"] == json{"l₁"});
+  CHECK(data["columns"] == json{"length", "<speed>"});
+  REQUIRE(data["panels"].size() == 2);
+  for (const json& panel : data["panels"]) {
+    CHECK(panel["time"] == true);
+    CHECK(panel["name"] == "a title");
+    CHECK(panel["series"][0]["y"].size() > 10);
+  }
+}
+
 TEST_CASE("the page carries one script, and it is ours") {
   const std::string html = to_html(sample::report());
   CHECK(count(html, "<script type=\"module\">") == 1);

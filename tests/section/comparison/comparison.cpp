@@ -46,6 +46,13 @@ TEST_CASE("a value reproduces within its tolerance, both ends included, and not 
   CHECK(r.values[1].value == 2);
 }
 
+TEST_CASE("published values stand in the unit that they were published in") {
+  const section::Result r = compare(row("max(x)", "1.995 cm", "tolerance = \"0.05 mm\"") + row("max(x)", "0.02 m", "tolerance = \"1 mm\""));
+  const auto& rows = table_of(r.section).rows;
+  CHECK(rows[0] == std::vector<std::string>{"a number", "1.995", "2", "0.005", "0.005", "cm", "reproduces"});
+  CHECK(rows[1] == std::vector<std::string>{"a number", "0.02", "0.02", "0", "0.001", "m", "reproduces"});
+}
+
 TEST_CASE("counts are compared as whole numbers, exactly unless a tolerance is given") {
   const section::Result r = compare(row("classification.by_rule", "151", "") + row("classification.base_schemes", "117", "") +
                                         row("classification.base_schemes", "117", "tolerance = 1"),
