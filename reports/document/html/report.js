@@ -198,10 +198,11 @@ function makePanel(panel, drawn, lists) {
 // Of small multiples: what their curves come to at the time, in rows and columns as they are drawn. They have one curve each, none to hide.
 function makeReadings({ rows, columns }, panels) {
   const titled = columns.map((name, c) => name + (panels[c].unit ? " [" + panels[c].unit + "]" : ""));
-  return element("table", { class: "readings" }, element("caption", { class: "unseen" }, "Values at the time"),
+  const table = element("table", { class: "readings" }, element("caption", { class: "unseen" }, "Values at the time"),
     element("thead", {}, element("tr", {}, ...["Actuator", ...titled].map((name, c) => element("th", c > 0 ? { scope: "col", class: "number" } : { scope: "col" }, name)))),
     element("tbody", {}, ...rows.map((name, r) => element("tr", {}, element("th", { scope: "row" }, name),
       ...columns.map((_, c) => element("td", { class: "number" }, panels[r * columns.length + c].curves[0].value))))));
+  return element("div", { class: "scroll", role: "group", "aria-label": "Values at the time" }, table);
 }
 
 // The time of all plots, and what follows it: one move a frame of the screen, however fast the pointer.
