@@ -10,6 +10,7 @@
 #include <tests/fuzz/corpus.hpp>
 #include <tests/fuzz/plugin_table.hpp>
 
+using pmreport::infinity;
 using pmreport::host::PluginError;
 using pmreport::host::require_sound;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <core/numbers.hpp>
 #include <core/scenario/motion/laws.hpp>
 #include <core/scenario/motion/spline.hpp>
 #include <core/scenario/motion/unwrap.hpp>
@@ -13,6 +14,27 @@
 
 namespace pmreport::scenario {
 namespace {
+
+// A spline bends by its steps: where one is a billionth of another, the bends of the short one leave no digit of the values of the long
+// one.
+constexpr double most_uneven = 1e9;
+
+struct UnevenStep {
+  std::size_t end;  // of the shortest step: the number of its later time
+  std::string told;
+};
+std::optional<UnevenStep> uneven_step(const std::vector<double>& times) {
+  double shortest = infinity, longest = 0;
+  std::size_t end = 0;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double step = times[i] - times[i - 1];
+    longest = std::max(longest, step);
+    if (step < shortest) shortest = step, end = i;
+  }
+  if (!(longest > most_uneven * shortest)) return std::nullopt;
+  return UnevenStep{end, fmt::format("expected no step of time a billion times as long as another, seen {} s beside {} s",
+                                     format_number(shortest, 3), format_number(longest, 3))};
+}
 
 constexpr double visible = 1e-3;  // of what a curve moves: how far it must go beyond its points to be worth a word
 
@@ -120,6 +142,10 @@ std::optional<Laws> read_waypoints(const Entry& waypoints, const Through& how, c
     diagnostics.add(waypoints.place, "expected at least two waypoints, seen one");
     return std::nullopt;
   }
+  if (const auto uneven = sound ? uneven_step(out.times) : std::nullopt) {
+    diagnostics.add(tables[uneven->end]->place, uneven->told);
+    sound = false;
+  }
   if (!sound) return std::nullopt;
   const auto unwrapped = read_unwrap(how.unwrap, reader);
   for (std::size_t j = 0; j < dof; ++j) {
@@ -183,6 +209,8 @@ std::optional<Laws> read_motion_file(const Entry& entry, const Through& how, con
     if (!(time->values[i] > time->values[i - 1]))
       refuse({table->lines[i], 1}, fmt::format("expected a time after the row before, {} s, seen {} s",
                                                format_number(time->values[i - 1], 9), format_number(time->values[i], 9)));
+  if (const auto uneven = sound ? uneven_step(time->values) : std::nullopt)
+    refuse({table->lines[uneven->end], 1}, uneven->told, "write the times in one unit, and leave out what stands beside another row");
   if (!sound) return std::nullopt;
   Laws out{kind->by_actuators, time->values, {}};
   const auto unwrapped = read_unwrap(how.unwrap, reader);

@@ -15,6 +15,7 @@
 
 using namespace pmreport::mechanics;
 using Eigen::Vector3d;
+using pmreport::infinity;
 
 namespace {
 

@@ -114,6 +114,12 @@ TEST_CASE("waypoints that make no motion are refused") {
   CHECK_THAT(tell(keys, w + "time = \"1 s\"\n" + w + "time = \"2 s\"\n"), Contains("expected the first waypoint at 0 s, seen 1 s"));
   CHECK_THAT(tell(keys, w + "time = \"0 s\"\n" + w + "time = \"0 s\"\n"),
              Contains("expected a time after the waypoint before, 0 s, seen 0 s"));
+  const auto over = [&](const std::string& middle) {
+    return tell("profile = \"cubic-spline\"\nsamples = 5\n",
+                w + "time = \"0 s\"\n" + w + "time = \"" + middle + "\"\nx = \"1 mm\"\n" + w + "time = \"2 s\"\n");
+  };
+  CHECK_THAT(over("1e-10 s"), Contains("expected no step of time a billion times as long as another, seen 1e-10 s beside 2 s"));
+  CHECK(over("1e-8 s").empty());
   CHECK_THAT(tell(keys, w + "time = \"0 s\"\n" + w + "x = \"1 mm\"\n"), Contains("expected the key \"time\" in [[motion.waypoint]]"));
   CHECK_THAT(tell(keys, w + "time = \"0 s\"\n" + w + "time = \"1 s\"\nz = \"1 mm\"\n"),
              Contains("unknown key \"z\" in [[motion.waypoint]]"));
