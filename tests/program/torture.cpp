@@ -42,7 +42,7 @@ struct Torment {
 }  // namespace
 
 TEST_CASE("every write, sync, rename, folder and file that fails is told, and the report is whole") {
-  if (sanitized) return;  // their own allocator cannot be failed from outside
+  if (program_test::sanitized) return;  // their own allocator cannot be failed from outside
   const Torment bench;
   for (const char* call : {"write", "fsync", "rename", "mkdir"}) {
     const long all = bench.count(call);
@@ -63,7 +63,7 @@ TEST_CASE("every write, sync, rename, folder and file that fails is told, and th
 }
 
 TEST_CASE("memory and threads that are not to be had are told as that, and not as the plugin's fault") {
-  if (sanitized) return;  // their own allocator cannot be failed from outside
+  if (program_test::sanitized) return;  // their own allocator cannot be failed from outside
   const Torment bench;
   std::mt19937 random(20261201);
   std::set<int> seen;
@@ -87,7 +87,7 @@ TEST_CASE("memory and threads that are not to be had are told as that, and not a
 
 // Libraries are set up before main(), where nobody can take what they throw.
 TEST_CASE("memory that is lacking before the work has begun is no plugin's fault") {
-  if (sanitized) return;  // their own allocator cannot be failed from outside
+  if (program_test::sanitized) return;  // their own allocator cannot be failed from outside
   const Torment bench;
   const Result r = bench.report("malloc", 1);
   CAPTURE(r.err);

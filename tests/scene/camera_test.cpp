@@ -6,6 +6,7 @@
 
 using namespace pmreport::scene;
 using Eigen::Vector3d;
+using pmreport::deg;
 
 namespace {
 
