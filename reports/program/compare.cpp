@@ -20,9 +20,11 @@ namespace pmreport::program {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 bool is_scenario(const std::string& given) {
   std::error_code ignored;
-  return std::filesystem::path(given).extension() == ".toml" && !std::filesystem::is_directory(given, ignored);
+  return fs::path(given).extension() == ".toml" && !fs::is_directory(given, ignored);
 }
 
 // The report of a scenario, which is compared and written nowhere.
@@ -37,7 +39,7 @@ compare::Results made(const std::string& scenario, const host::Catalog& catalog,
 }
 
 // Whether a page says in its head that it was made by this program.
-bool is_ours(const std::filesystem::path& page) {
+bool is_ours(const fs::path& page) {
   std::ifstream file(page, std::ios::binary);
   std::string head(4096, '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
@@ -48,11 +50,11 @@ bool is_ours(const std::filesystem::path& page) {
 // A report replaces its folder only when nothing else is in it: a page beside it would be in the way of the next one.
 void write_page(const std::string& folder, const std::string& page) {
   std::error_code error;
-  const std::filesystem::path place = std::filesystem::absolute(folder, error).lexically_normal();
+  const fs::path place = fs::absolute(folder, error).lexically_normal();
   if (error) document::fail("reach", folder, error.value());
-  if (std::filesystem::exists(place / "results.json", error))
+  if (fs::exists(place / "results.json", error))
     throw document::OutputError("cannot write the comparison into " + folder + ": it holds a report. Choose another folder.");
-  if (std::filesystem::exists(place / "compare.html", error) && !is_ours(place / "compare.html"))
+  if (fs::exists(place / "compare.html", error) && !is_ours(place / "compare.html"))
     throw document::OutputError("cannot write the comparison into " + folder +
                                 ": compare.html in it is no comparison of pmreport. Choose another folder.");
   document::MadeParents made(place / "compare.html");

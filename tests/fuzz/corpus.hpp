@@ -99,7 +99,7 @@ void check_promises(const std::string& fuzzer, Broken&& broken) {
   const std::filesystem::path corpus = std::filesystem::path(SOURCE "/tests/fuzz/corpus") / fuzzer;
   CHECK(broken_in(corpus, broken) == "");
   const char* asked = std::getenv("PMREPORT_MUTANTS");
-  const long count = asked != nullptr ? std::strtol(asked, nullptr, 10) : 300;
+  const long count = asked != nullptr ? std::stol(asked) : 300;
   Mutants mutants(corpus);
   for (long n = 0; n < count; ++n) {
     INFO(fuzzer << ", mutant " << n);  // told of one that ends the process, too

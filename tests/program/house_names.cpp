@@ -1,13 +1,12 @@
 // One type has one name, and one name one type, in whatever source it stands: the linker joins what is named alike, and would not tell.
 #include <catch2/catch.hpp>
+#include <tests/program/workshop.hpp>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -68,10 +67,8 @@ TEST_CASE("no two sources define types of one name") {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(std::filesystem::path(SOURCE) / root)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".cpp" && extension != ".hpp") continue;
-      std::ifstream file(entry.path());
-      std::stringstream text;
-      text << file.rdbuf();
-      for (const std::string& type : types_of(text.str())) sources[type].insert(std::filesystem::relative(entry.path(), SOURCE).string());
+      for (const std::string& type : types_of(program_test::bytes_of(entry.path())))
+        sources[type].insert(std::filesystem::relative(entry.path(), SOURCE).string());
     }
   CHECK(sources.size() > 500);
   for (const auto& [type, all] : sources) {

@@ -142,7 +142,7 @@ std::optional<Laws> read_waypoints(const Entry& waypoints, const Through& how, c
     diagnostics.add(waypoints.place, "expected at least two waypoints, seen one");
     return std::nullopt;
   }
-  if (const auto uneven = sound ? uneven_step(out.times) : std::nullopt) {
+  if (const auto uneven = sound && !how.quintic ? uneven_step(out.times) : std::nullopt) {
     diagnostics.add(tables[uneven->end]->place, uneven->told);
     sound = false;
   }
@@ -209,7 +209,7 @@ std::optional<Laws> read_motion_file(const Entry& entry, const Through& how, con
     if (!(time->values[i] > time->values[i - 1]))
       refuse({table->lines[i], 1}, fmt::format("expected a time after the row before, {} s, seen {} s",
                                                format_number(time->values[i - 1], 9), format_number(time->values[i], 9)));
-  if (const auto uneven = sound ? uneven_step(time->values) : std::nullopt)
+  if (const auto uneven = sound && !how.quintic ? uneven_step(time->values) : std::nullopt)
     refuse({table->lines[uneven->end], 1}, uneven->told, "write the times in one unit, and leave out what stands beside another row");
   if (!sound) return std::nullopt;
   Laws out{kind->by_actuators, time->values, {}};
