@@ -30,7 +30,7 @@ const char* const html_view_style = R"css(
 .hand-verdict { position: absolute; left: .5rem; right: .5rem; bottom: .5rem; pointer-events: none; }
 .hand-status { display: inline-block; margin: 0; padding: .1rem .5rem; max-width: none; font-size: .875rem; font-weight: 600; line-height: 1.4; color: var(--good); background: var(--paper); border-left: .25rem solid; }
 .hand-status.broken { color: var(--bad); }
-.unseen { position: absolute; width: 1px; height: 1px; margin: 0; overflow: hidden; clip-path: inset(50%); }
+.unseen, .readings caption { position: absolute; width: 1px; height: 1px; margin: 0; overflow: hidden; clip-path: inset(50%); }
 .hand-columns { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 0 2rem; align-items: start; }
 .hand table { width: 100%; font-size: inherit; margin-top: .8rem; table-layout: auto; }
 .hand th, .hand td { padding: .22rem .5rem .22rem 0; vertical-align: middle; } .hand caption { padding: 0 0 .2rem; position: static; }

@@ -113,6 +113,12 @@ function element(name, attributes, ...children) {
   return node;
 }
 
+const heading = (text, kind) => element("th", kind ? { scope: "col", class: kind } : { scope: "col" }, text);
+
+function makeTable(kind, label, headings, rows) {
+  return element("table", { class: kind }, element("caption", {}, label), element("thead", {}, element("tr", {}, ...headings)), element("tbody", {}, ...rows));
+}
+
 function sortable(table) {
   const headings = [...table.querySelectorAll("thead th")], body = table.tBodies[0];
   if (!body || body.rows.length < 2) return;
@@ -197,12 +203,11 @@ function makePanel(panel, drawn, lists) {
 
 // Of small multiples: what their curves come to at the time, in rows and columns as they are drawn. They have one curve each, none to hide.
 function makeReadings({ rows, columns }, panels) {
-  const titled = columns.map((name, c) => name + (panels[c].unit ? " [" + panels[c].unit + "]" : ""));
-  const table = element("table", { class: "readings" }, element("caption", { class: "unseen" }, "Values at the time"),
-    element("thead", {}, element("tr", {}, ...["Actuator", ...titled].map((name, c) => element("th", c > 0 ? { scope: "col", class: "number" } : { scope: "col" }, name)))),
-    element("tbody", {}, ...rows.map((name, r) => element("tr", {}, element("th", { scope: "row" }, name),
-      ...columns.map((_, c) => element("td", { class: "number" }, panels[r * columns.length + c].curves[0].value))))));
-  return element("div", { class: "scroll", role: "group", "aria-label": "Values at the time" }, table);
+  const titled = columns.map((name, c) => heading(name + (panels[c].unit ? " [" + panels[c].unit + "]" : ""), "number"));
+  const rowOf = (name, r) => element("tr", {}, element("th", { scope: "row" }, name),
+    ...columns.map((_, c) => element("td", { class: "number" }, panels[r * columns.length + c].curves[0].value)));
+  return element("div", { class: "scroll", role: "group", "aria-label": "Values at the time" },
+    makeTable("readings", "Values at the time", [heading("Actuator"), ...titled], rows.map(rowOf)));
 }
 
 // The time of all plots, and what follows it: one move a frame of the screen, however fast the pointer.

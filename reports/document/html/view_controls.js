@@ -260,12 +260,6 @@ function makeEntry(name, unit, low, high, move) {
   return { slider, number, remark, follow };
 }
 
-const heading = (text, kind) => element("th", kind ? { scope: "col", class: kind } : { scope: "col" }, text);
-
-function makeTable(label, headings, rows) {
-  return element("table", { class: "hand-table" }, element("caption", {}, label), element("thead", {}, element("tr", {}, ...headings)), element("tbody", {}, ...rows));
-}
-
 // The machine by hand: coordinates and actuators to set, and what comes of it. `moved(state)` is called with each pose that is reached.
 function makeHands(live, moved) {
   let x = live.home, state = live.at(x), quiet = null;
@@ -336,8 +330,8 @@ function makeHands(live, moved) {
   const verdict = element("div", { class: "hand-verdict" }, status, spoken);
   const panel = element("div", { class: "hand" },
     element("div", { class: "hand-columns" },
-      makeTable("Coordinates", [heading("Coordinate"), heading("Range"), heading("Value", "number")], coordinates.map(({ row }) => row)),
-      makeTable("Actuators", [heading("Actuator"), heading("Stroke"), heading("Value", "number"), heading("Static " + effort, "number")], actuators.map(({ row }) => row))),
+      makeTable("hand-table", "Coordinates", [heading("Coordinate"), heading("Range"), heading("Value", "number")], coordinates.map(({ row }) => row)),
+      makeTable("hand-table", "Actuators", [heading("Actuator"), heading("Stroke"), heading("Value", "number"), heading("Static " + effort, "number")], actuators.map(({ row }) => row))),
     element("p", { class: "hand-condition" }, "Condition number of the Jacobian: ", condition,
       `. Static: at rest under all weights and the load of the scenario${live.load.varies ? ", that of its first instant" : ""}.`),
     element("table", { class: "hand-limits" }, element("caption", {}, "Limits, the nearest first"),
