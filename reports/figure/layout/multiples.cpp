@@ -46,10 +46,11 @@ Layout lay_out_multiples(cairo_t* cr, const Figure& figure, double width) {
   std::vector<double> numbers(columns, 0);
   std::vector<Interval> ranges;
   for (std::size_t c = 0; c < columns; ++c) ranges.push_back(shared_range(figure, c));
-  double frame_width = 60, overhang = 0;
-  for (int round = 0; round < 2; ++round) {
+  // The numbers that stand along a frame follow its width, and its width follows what they leave: until frames as wide as these fit.
+  double frame_width = 60;
+  for (int round = 0; round < 6; ++round) {
     layout.panels.clear();
-    overhang = 0;
+    double overhang = 0;
     for (std::size_t i = 0; i < figure.panels.size(); ++i) {
       const std::size_t c = i % columns;
       layout.panels.push_back(lay_out_panel(cr, figure.panels[i], frame_width, frame_height, frame_width, ranges[c]));
@@ -62,7 +63,9 @@ Layout lay_out_multiples(cairo_t* cr, const Figure& figure, double width) {
     }
     double taken = 2 * edge + name_width + after_name + overhang + between_multiples * static_cast<double>(columns - 1);
     for (const double n : numbers) taken += n;
-    frame_width = std::max(20.0, std::floor((width - taken) / static_cast<double>(columns)));
+    const double fits = std::max(20.0, std::floor((width - taken) / static_cast<double>(columns)));
+    if (fits == frame_width || (round > 1 && fits > frame_width)) break;
+    frame_width = fits;
   }
 
   const double tick_height = Text(cr, "0", {.size = tick_size}).extents().height;

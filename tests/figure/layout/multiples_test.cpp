@@ -5,7 +5,9 @@
 
 #include <tests/figure/samples.hpp>
 #include "reports/figure/layout/layout.hpp"
+#include "reports/figure/palette.hpp"
 #include "reports/figure/surface.hpp"
+#include "reports/figure/text.hpp"
 
 using namespace pmreport::figure;
 using samples::curve;
@@ -53,6 +55,23 @@ TEST_CASE("panels of a column of small multiples stand below each other on one s
     if (i >= 4) CHECK(p.frame.y > layout.panels[i - 4].frame.bottom());
   }
   CHECK(layout.panels[1].heading == "speed [mm]");
+}
+
+TEST_CASE("the number at the end of the last axis stands inside the picture, as wide as it is where frames are wider") {
+  const Context cr = measuring_context();
+  for (const double end : {2.0, 3.0, 0.7, 12.0, 100.0, 1e-3, 2e4}) {
+    CAPTURE(end);
+    Figure f = six_limbs();
+    for (Panel& p : f.panels)
+      for (double& x : p.series.front().x) x *= end / 2;
+    const Layout layout = lay_out(cr.get(), f);
+    const PanelLayout& last = layout.panels.back();
+    REQUIRE_FALSE(last.x.major.empty());
+    for (const Tick& tick : last.x.major) {
+      const double middle = last.frame.x + last.x.position(tick.value) * last.frame.width;
+      CHECK(middle + Text(cr.get(), tick.label, {.size = tick_size}).extents().width / 2 <= layout.size.width - 1);
+    }
+  }
 }
 
 TEST_CASE("a number beside a marked point stands inside the frame") {
