@@ -68,5 +68,7 @@ TEST_CASE("names of the program become symbols of the field") {
   CHECK(section::symbol("rho12") == "ρ₁₂");
   CHECK(section::symbol("det_G") == "det G");
   CHECK(section::typographic("kg*m^2") == "kg·m²");
+  CHECK(section::typographic("um/N") == "\u00b5m/N");
+  CHECK(section::typographic("urad") == "\u00b5rad");
   CHECK(section::typeset("-1.2e-4") == "−1.2e−4");
 }

@@ -92,7 +92,8 @@ std::string typeset(std::string number) {
 }
 
 std::string typographic(std::string_view unit) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 4> signs{{{"deg", "°"}, {"*", "·"}, {"^2", "²"}, {"^3", "³"}}};
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> signs{
+      {{"deg", "°"}, {"*", "·"}, {"^2", "²"}, {"^3", "³"}, {"um", "\u00b5m"}, {"urad", "\u00b5rad"}}};
   std::string out(unit);
   for (const auto& [plain, sign] : signs)
     for (std::size_t at = 0; (at = out.find(plain, at)) != std::string::npos; at += sign.size()) out.replace(at, plain.size(), sign);
